@@ -117,7 +117,7 @@ class RunCommand final : public Command {
             .details =
                 "With --json the last line is one JSON object: scene, mode, precision, dimension, units,\n"
                 "seconds, steps, particles, constraints, hash, energy {kinetic, potential, stored, total},\n"
-                "energy_lost (what ropes and figures gave up where they struck, cracked or snapped taut),\n"
+                "energy_lost (what direct blocks gave up where they struck, cracked or snapped taut),\n"
                 "stretch_max, stretch_mean (of distances, as fractions of their rest length), max_speed,\n"
                 "ms_per_step (median), ms_by_phase (mean), events_count and events (the first 100). An event has\n"
                 "what, seconds, where: torn, cut, parted (a figure fell into so many islands), quarantined, those\n"

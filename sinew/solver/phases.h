@@ -74,8 +74,10 @@ template <int D, class Real> void note_sleep_parameters(World<D, Real>& world);
 /// internal_damping.cpp: before a step of physical mode, damps the motion inside figures that have internal damping.
 template <int D, class Real> void damp_internally(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 
-/// alone.cpp: before a step, finds the bodies of colliding figures that are far from everything.
+/// alone.cpp: before a step, finds the bodies that are far from everything they may touch; while a world is prepared,
+/// lists its bodies.
 template <int D, class Real> void find_alone(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
+template <int D, class Real> void list_bodies(World<D, Real>& world, Solver<D, Real>& solver);
 
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt);

@@ -117,7 +117,7 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.rest_time.push_back(Real(0));
     p.asleep.push_back(char(0));
     p.energy_debt.push_back(0);
-    p.alone.push_back(char(0));
+    p.near.push_back(char(0));
     p.at_end.push_back(0);
     world.events.reserve(events_per_step);
     SINEW_ASSERT(p.at_end.size() == p.size(), "the columns of a table have one length");

@@ -8,8 +8,8 @@ template <int D, class Real> bool any_asleep(const Particles<D, Real>& particles
     return particles.asleep.any_of([](char flag) { return flag != 0; });
 }
 
-template <int D, class Real> bool any_alone(const Particles<D, Real>& particles) {
-    return particles.alone.any_of([](char flag) { return flag != 0; });
+template <int D, class Real> bool any_near(const Particles<D, Real>& particles) {
+    return particles.near.any_of([](char flag) { return flag != 0; });
 }
 
 /// True if the particle of a slot is asleep.

@@ -191,7 +191,7 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
     digest.add(p.position, p.previous, p.velocity, p.residual, p.force, p.inverse_mass, p.radius, p.figure,
                p.quarantined, p.mobility);
     if (world.settings.sleep.speed != 0) digest.add(p.rest_time, p.asleep, world.sleep_parameters);
-    if (any_alone(p)) digest.add(p.alone);
+    if (any_near(p)) digest.add(p.near);
     if (p.energy_debt.any_of([](double debt) { return debt != 0; })) digest.add(p.energy_debt);
     for_each_table(world, [&](const auto& table) { add_constraints(table, digest); });
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);

@@ -54,7 +54,7 @@ template <int D, class Real> struct Particles {
     Column<Real> rest_time;        ///< time for which the body of a particle, its first one, has been at rest
     Column<char> asleep;           ///< left out of the step until the body is woken (docs/concepts/contact.md)
     Column<double> energy_debt; ///< energy that constraints of a joined figure still owe, J: a sum over its particles
-    Column<char> alone;         ///< of a colliding figure, but far from all it may touch: solved without contacts
+    Column<char> near; ///< to something that the body may touch: held by rows of contact, not by a direct block
     HandleMap<ParticleTag> handles;
 
     std::size_t size() const { return position.size(); }
@@ -74,7 +74,7 @@ template <int D, class Real> struct Particles {
         visit(self.rest_time);
         visit(self.asleep);
         visit(self.energy_debt);
-        visit(self.alone);
+        visit(self.near);
     }
 };
 

@@ -191,7 +191,8 @@ template <int D, class Real> class CandidateSearch {
     bool meets(Row a, Row b) const {
         const auto figure_a = world_.particles.figure[a], figure_b = world_.particles.figure[b];
         if (figure_a == figure_b) return world_.figures[figure_a].touches_itself;
-        return touch(filter_of(world_, a), filter_of(world_, b));
+        return world_.figures[figure_a].collides && world_.figures[figure_b].collides &&
+               touch(filter_of(world_, a), filter_of(world_, b));
     }
     bool are_linked(Row a, Row b) const {
         if (room_.links.empty()) return false;

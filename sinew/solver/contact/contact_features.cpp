@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-/// Features of colliding figures.
+/// Features of figures that are near something.
 namespace sinew {
 namespace {
 
@@ -38,7 +38,7 @@ template <int D, class Real> class FeatureFinder {
             room_.thin.reserve();
         }
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
-            if (world_.figures[i].in_use() && world_.figures[i].collides) add_segments(i);
+            if (world_.figures[i].in_use()) add_segments(i);
         list_particles();
         number_segments();
         if (room_.is_stale) room_.list.is_valid = false;
@@ -83,7 +83,7 @@ template <int D, class Real> class FeatureFinder {
             room_.number_of[row] = none;
             if (is_unlisted) continue;
             const auto figure = world_.particles.figure[row];
-            if (figure >= world_.figures.size() || !world_.figures[figure].collides) continue;
+            if (figure >= world_.figures.size() || !world_.particles.near[row]) continue;
             if (state.slot_of[row] >= state.size()) continue;
             room_.number_of[row] = std::uint32_t(room_.particles.size());
             room_.particles.push_back({.row = row,
@@ -168,8 +168,9 @@ template <int D, class Real> class FeatureFinder {
     Row row_at(const Piece& piece, std::size_t i) const {
         return world_.particles.handles.find(piece.particles[i % piece.particles.size()]).value_or(no_row);
     }
-    bool is_swept(Row row) const {
-        return row != no_row && solver_.sweep_state.slot_of[row] < solver_.sweep_state.size();
+    bool takes_part(Row row) const {
+        return row != no_row && world_.particles.near[row] != 0 &&
+               solver_.sweep_state.slot_of[row] < solver_.sweep_state.size();
     }
 
     /// A filled area is solid on the inner side of its outline; its outline needs no second set of segments.
@@ -187,7 +188,7 @@ template <int D, class Real> class FeatureFinder {
         const int side = D == 2 && piece.mark == Mark::fill ? solid_side(piece) : 0;
         for (std::size_t i = 0; i + (is_closed(piece) ? 0 : 1) < n; ++i) {
             const Row a = row_at(piece, i), b = row_at(piece, i + 1);
-            if (!is_swept(a) || !is_swept(b) || a == b || is_known(a, b, first_of_figure)) continue;
+            if (!takes_part(a) || !takes_part(b) || a == b || is_known(a, b, first_of_figure)) continue;
             if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) continue;
             room_.segments.push_back({.a = a, .b = b, .figure = figure, .side = side});
         }
@@ -227,16 +228,12 @@ template <int D, class Real> class FeatureFinder {
     }
 };
 
-/// True if something swept may touch other figures. Figures far from everything are not swept.
+/// True if something swept may touch something. Figures far from everything are not swept.
 template <int D, class Real> bool any_meets(const World<D, Real>& world, const Solver<D, Real>& solver) {
-    if (std::none_of(world.figures.begin(), world.figures.end(),
-                     [](const Figure& figure) { return figure.in_use() && figure.collides; }))
-        return false;
+    if (!any_near(world.particles)) return false;
     const auto& slots = solver.sweep_state.row_of;
     return std::any_of(slots.begin(), slots.end(), [&](Row row) {
-        const auto figure = world.particles.figure[row];
-        return world.particles.mobility[row] > Real(0) && figure < world.figures.size() &&
-               world.figures[figure].collides;
+        return world.particles.mobility[row] > Real(0) && world.particles.near[row] != 0;
     });
 }
 

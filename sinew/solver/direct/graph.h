@@ -87,8 +87,7 @@ template <int D, class Real> class BlockGraph {
     Direct direct_of(Row particle) const {
         const auto figure = particles_.figure[particle];
         if (figure >= world_.figures.size()) return Direct::automatic;
-        const bool meets = world_.figures[figure].collides && !particles_.alone[particle];
-        return meets ? Direct::off : world_.figures[figure].direct;
+        return particles_.near[particle] ? Direct::off : world_.figures[figure].direct;
     }
 
   private:

@@ -1,14 +1,13 @@
-#include "sinew/collide/collider.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/step/alone_bodies.h"
 #include "sinew/solver/step/body_boxes.h"
+#include "sinew/solver/step/wall_reach.h"
 #include "sinew/world/asleep.h"
 
 #include <algorithm>
-#include <numeric>
 
-/// Bodies far from everything they may touch: direct blocks move them, as if figures did not collide. Who is alone is
-/// state of the world.
+/// Bodies far from everything they may touch are alone: direct blocks move them, as if nothing collided. Bodies near
+/// something are held by rows of contact. Who is near is state of the world.
 namespace sinew {
 namespace {
 
@@ -21,19 +20,33 @@ template <int D, class Real> class AloneFinder {
         : world_(world), p_(world.particles), room_(room), dt_(dt) {}
 
     void run() {
-        if (world_.journal.changed || world_.journal.stale || room_.all.body_of.size() != p_.size()) {
-            detail::AloneBodyFinder<D, Real>(world_, room_).run();
-            part_mixed();
-        }
+        const bool is_edited = world_.journal.changed || world_.journal.stale;
+        if (is_edited || room_.all.body_of.size() != p_.size()) list();
         const bool may_become_alone = world_.steps % interval == 0 && room_.any_may_be_block;
-        if (!may_become_alone && !any_alone(p_)) return;
+        if (!may_become_alone && !any_alone()) return;
         make_boxes();
         find_near();
+        bool any_changes = false;
         for (std::size_t i = 0; i < room_.bodies.size(); ++i) {
-            const bool is_alone = p_.alone[first(i)] != 0;
-            if (is_alone ? !may_stay_alone(i) : (may_become_alone && may_stay_alone(i) && !p_.asleep[first(i)]))
-                set(i, !is_alone);
+            if (!may_be_block(i)) continue;
+            const bool was_near = is_near(i);
+            if (was_near ? may_become_alone && !room_.is_near[i] && !p_.asleep[first(i)] : room_.is_near[i] != 0)
+                set(i, !was_near), any_changes = true;
         }
+        if (any_changes) mark_attached();
+    }
+    /// Lists the bodies, unless a search before the preparation has done so.
+    void list() {
+        if (std::exchange(room_.is_listed, true)) return;
+        detail::AloneBodyFinder<D, Real>(world_, room_).run();
+        take_over();
+    }
+    /// Nothing is near.
+    static void clear(World<D, Real>& world) {
+        auto& p = world.particles;
+        if (!any_near(p)) return;
+        p.near.fill(char(0));
+        world.journal.stale = world.journal.changed = true;
     }
 
   private:
@@ -46,19 +59,48 @@ template <int D, class Real> class AloneFinder {
     static constexpr int interval = 16;
 
     Row first(std::size_t i) const { return room_.rows[room_.first_row[i]]; }
-    bool may_stay_alone(std::size_t i) const { return room_.may_be_block[room_.bodies[i]] && !room_.is_near[i]; }
-    /// A body joined from one that is alone and one that is not is not.
-    void part_mixed() {
-        if (!any_alone(p_)) return;
-        for (std::size_t i = 0; i < room_.bodies.size(); ++i) {
-            const auto rows = std::span(room_.rows).subspan(room_.first_row[i], size(i));
-            if (std::any_of(rows.begin(), rows.end(), [&](Row row) { return p_.alone[row] != p_.alone[rows[0]]; }))
-                set(i, false);
-        }
+    bool may_be_block(std::size_t i) const { return room_.may_be_block[room_.bodies[i]] != 0; }
+    bool collides(std::size_t i) const { return room_.collides[room_.bodies[i]] != 0; }
+    bool collides(Row row) const {
+        return has_figure(world_, p_.figure[row]) && world_.figures[p_.figure[row]].collides;
     }
-    void set(std::size_t i, bool is_alone) {
-        for (Row k = room_.first_row[i]; k < room_.first_row[i + 1]; ++k) p_.alone.set(room_.rows[k], char(is_alone));
+    bool is_near(std::size_t i) const { return p_.near[first(i)] != 0; }
+    bool any_alone() const {
+        for (std::size_t i = 0; i < room_.bodies.size(); ++i)
+            if (may_be_block(i) && !is_near(i)) return true;
+        return false;
+    }
+    std::span<const Row> rows_of(std::size_t i) const {
+        return std::span(room_.rows).subspan(room_.first_row[i], size(i));
+    }
+
+    /// After an edit: a body joined from one that is near and one that is not is near. Of bodies that no block could
+    /// solve, the particles that collide always are.
+    void take_over() {
+        for (Row row = 0; row < p_.size(); ++row)
+            if (const auto at = room_.index_of[room_.all.body_of[row]]; at == none || !may_be_block(at))
+                mark(row, collides(row));
+        for (std::size_t i = 0; i < room_.bodies.size(); ++i) {
+            if (!may_be_block(i)) continue;
+            const auto count = std::ranges::count_if(rows_of(i), [&](Row row) { return p_.near[row] != 0; });
+            if (count > 0 && std::size_t(count) < size(i)) set(i, true);
+        }
+        mark_attached();
+    }
+    void set(std::size_t i, bool near) {
+        for (const Row row : rows_of(i)) p_.near.set(row, char(near));
         world_.journal.touch(p_.handles.index_of(first(i)), Touch::joined);
+    }
+    void mark(Row row, bool near) {
+        if ((p_.near[row] != 0) == near) return;
+        p_.near.set(row, char(near));
+        world_.journal.touch(p_.handles.index_of(row), Touch::joined);
+    }
+    /// An immovable particle is near with any body that hangs on it.
+    void mark_attached() {
+        for (const auto& end : room_.all.attached) mark(end.row, collides(end.row));
+        for (const auto& end : room_.all.attached)
+            if (const auto at = room_.index_of[end.body]; at != none && is_near(at)) mark(end.row, true);
     }
 
     // --- boxes -------------------------------------------------------------------------------------------------------
@@ -66,13 +108,14 @@ template <int D, class Real> class AloneFinder {
     /// The way of a step at present velocities, half as much again for what turns, the fall, and half a radius.
     void make_boxes() {
         const detail::BodyBoxes<D, Real> boxes(p_, dt_);
-        const Real fall = norm(gravity()) * square(dt_);
+        fall_ = norm(gravity()) * square(dt_);
         room_.boxes.clear(), room_.way.clear();
+        room_.is_pulled.assign(room_.bodies.size(), 0);
         for (std::size_t i = 0; i < room_.bodies.size(); ++i) {
             auto moving = boxes.of(std::span(room_.rows).subspan(room_.first_row[i], size(i)));
             if (body(i).is_movable) {
                 const auto turn = (moving.fastest - moving.slowest) * (Real(0.5) * dt_);
-                const Real margin = fall + Real(0.5) * moving.widest + room_.cover[i];
+                const Real margin = fall_ + Real(0.5) * moving.widest + room_.cover[i];
                 moving.box = BoxT{moving.box.low - turn, moving.box.high + turn}.grown(margin);
             }
             room_.boxes.push_back(moving.box);
@@ -86,6 +129,7 @@ template <int D, class Real> class AloneFinder {
         return min(fastest, limit::speed<Real>) * dt_;
     }
     Real max_way_ = 0; ///< way in a step of the fastest that may be struck
+    Real fall_ = 0;    ///< in a step, m
 
     std::size_t size(std::size_t i) const { return room_.first_row[i + 1] - room_.first_row[i]; }
     Vector gravity() const {
@@ -103,6 +147,7 @@ template <int D, class Real> class AloneFinder {
                 const auto wide = Vector::map([&](int) { return p_.radius[*row]; });
                 room_.boxes[at].include(pin.target - wide);
                 room_.boxes[at].include(pin.target + wide);
+                room_.is_pulled[at] = 1;
             }
     }
     static constexpr auto none = AloneRoom<D, Real>::none;
@@ -114,7 +159,7 @@ template <int D, class Real> class AloneFinder {
         room_.met.clear();
         max_way_ = 0;
         for (std::uint32_t i = 0; i < room_.bodies.size(); ++i)
-            if (body(i).is_movable && (!room_.may_be_block[room_.bodies[i]] || is_near_walls(i))) note_near(i);
+            if (body(i).is_movable && (!may_be_block(i) || is_near_walls(i))) note_near(i);
         const int axis = widest_axis();
         do {
             grow_those_met();
@@ -123,20 +168,12 @@ template <int D, class Real> class AloneFinder {
         } while (!room_.met.empty());
     }
     void note_near(std::uint32_t i) {
-        if (!std::exchange(room_.is_near[i], char(1)) && body(i).is_movable) room_.met.push_back(i);
+        if (!std::exchange(room_.is_near[i], char(1)) && body(i).is_movable && collides(i)) room_.met.push_back(i);
     }
     bool is_near_walls(std::size_t i) const {
-        const auto& box = room_.boxes[i];
-        for (const auto& plane : world_.bounds) {
-            const auto deepest =
-                Vector::map([&](int k) { return plane.normal[k] > Real(0) ? box.low[k] : box.high[k]; });
-            if (dot(plane.normal, deepest) <= plane.offset) return true;
-        }
-        if (body(i).has_several_figures) return true;
-        const auto& filter = world_.figures[body(i).figure].filter;
-        return std::any_of(world_.colliders.begin(), world_.colliders.end(), [&](const auto& collider) {
-            return touch(filter, collider.filter) && collide::bounds_in_step(collider).overlaps(box);
-        });
+        if (collides(i) && body(i).has_several_figures) return true;
+        return detail::WallReach<D, Real>(world_, rows_of(i), room_.boxes[i], dt_)
+            .any({.fall = fall_, .link = room_.reach[i], .is_pulled = room_.is_pulled[i] != 0});
     }
     const SleepBody& body(std::size_t i) const { return room_.all.bodies[room_.bodies[i]]; }
 
@@ -151,12 +188,8 @@ template <int D, class Real> class AloneFinder {
     /// The order of the last step needs few exchanges. What is found depends on no order.
     void sort_along(int axis) {
         auto& order = room_.order;
-        const bool is_anew = order.size() != room_.bodies.size() || room_.axis != axis;
-        if (is_anew) {
-            order.resize(room_.bodies.size());
-            std::iota(order.begin(), order.end(), 0U);
-            room_.axis = axis;
-        }
+        const bool is_anew = order.size() != room_.colliding.size() || room_.axis != axis;
+        if (is_anew) order = room_.colliding, room_.axis = axis;
         if (is_anew || !insert_in_order())
             std::sort(order.begin(), order.end(), [&](auto i, auto k) { return low(i, axis) < low(k, axis); });
     }
@@ -197,22 +230,35 @@ template <int D, class Real> class AloneFinder {
     }
 };
 
-/// Some figure that collides may be solved directly.
-template <int D, class Real> bool may_be_alone(const World<D, Real>& world) {
+/// There may be contacts.
+template <int D, class Real> bool may_touch(const World<D, Real>& world) {
     return world.settings.mode == Mode::physical &&
-           std::any_of(world.figures.begin(), world.figures.end(),
-                       [](const Figure& figure) { return figure.in_use() && figure.collides; });
+           (has_walls(world) || std::ranges::any_of(world.figures, [](const Figure& figure) {
+                return figure.in_use() && figure.collides;
+            }));
+}
+
+template <int D, class Real> AloneRoom<D, Real>& alone_room(Solver<D, Real>& solver) {
+    if (!solver.alone) solver.alone = std::make_shared<AloneRoom<D, Real>>();
+    return *solver.alone;
 }
 
 } // namespace
 
 template <int D, class Real> void find_alone(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
-    if (!may_be_alone(world)) return;
-    if (!solver.alone) solver.alone = std::make_shared<AloneRoom<D, Real>>();
-    AloneFinder<D, Real>(world, *solver.alone, dt).run();
+    if (!may_touch(world)) return AloneFinder<D, Real>::clear(world);
+    AloneFinder<D, Real>(world, alone_room(solver), dt).run();
 }
 
-#define SINEW_ALONE(D, Real) template void find_alone(World<D, Real>&, Solver<D, Real>&, Real);
+template <int D, class Real> void list_bodies(World<D, Real>& world, Solver<D, Real>& solver) {
+    if (!may_touch(world)) return;
+    AloneFinder<D, Real>(world, alone_room(solver), Real(0)).list();
+    solver.alone->is_listed = false;
+}
+
+#define SINEW_ALONE(D, Real)                                                                                           \
+    template void find_alone(World<D, Real>&, Solver<D, Real>&, Real);                                                 \
+    template void list_bodies(World<D, Real>&, Solver<D, Real>&);
 SINEW_INSTANTIATE(SINEW_ALONE)
 
 } // namespace sinew

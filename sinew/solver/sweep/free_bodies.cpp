@@ -69,13 +69,11 @@ template <int D, class Real> class FreeBodyFinder {
         }
     }
 
-    /// Marks components with pins or ports, of colliding figures, and those with a constraint that acts otherwise than
-    /// in pairs.
+    /// Marks components with pins or ports, those that rows of contact hold, and those with a constraint that acts
+    /// otherwise than in pairs.
     void hold() {
-        const auto& figure = world_.particles.figure;
         for (Row slot = 0; slot < state_.size(); ++slot)
-            if (const auto of = figure[state_.row_of[slot]]; has_figure(world_, of) && world_.figures[of].collides)
-                number_[sets_.first_of(slot)] = held;
+            if (world_.particles.near[state_.row_of[slot]] != 0) number_[sets_.first_of(slot)] = held;
         for (const auto& pinned : plan_.pins) number_[sets_.first_of(pinned.slot)] = held;
         for (const auto& group : ports_.groups)
             for (const auto slot : std::span(ports_.members).subspan(group.first, group.members))
