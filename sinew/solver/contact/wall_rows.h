@@ -111,7 +111,6 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         row.normal = found->surface.normal;
         origin.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
         row.gap = found->surface.distance - radius;
-        origin.deep = share_of_deep * radius;
         row.friction = collider.friction, origin.restitution = collider.restitution;
         take(row, state_.slot_of[s.a], Real(1) - found->t);
         take(row, state_.slot_of[s.b], found->t);
