@@ -53,11 +53,15 @@ template <int D, class Real> class DeepRows {
         bool any = false;
         for (auto& part : solver_.contacts->parts.list)
             for (const auto i : part.deep) {
-                if (!takes(part, i) || !hold(part.rows[i], part.origins[i])) continue;
+                if (!takes(part, i) || is_buried(part, i) || !hold(part.rows[i], part.origins[i])) continue;
                 told(part.rows[i]);
                 any = true;
             }
         return any;
+    }
+    /// Begins the substep more than a diameter behind a wall: pinned there, it may have no way out.
+    static bool is_buried(const Part& part, std::size_t i) {
+        return i >= part.first_wall && part.rows[i].gap < Real(-4) * part.origins[i].deep;
     }
     Real missing(const RowT& row, const Origin& origin) const {
         const Real beyond = -row.gap - origin.deep;
