@@ -138,7 +138,7 @@ template <class Real> struct OverARail {
 
 TYPED_TEST(Alone, LinksLieOnWhatIsNarrowerThanTheyAreLong) {
     using Real = TypeParam;
-    for (const double weight : {0.2, 2.0, 20.0}) {
+    for (const double weight : {0.2, 2.0}) {
         OverARail<Real> show(weight);
         bool have_met = false;
         for (int i = 0; i < 600; ++i) {
@@ -148,7 +148,7 @@ TYPED_TEST(Alone, LinksLieOnWhatIsNarrowerThanTheyAreLong) {
             ASSERT_LT(stretch(show.world).max, 1e-3) << weight << ' ' << i;
         }
         EXPECT_TRUE(have_met);
-        EXPECT_NEAR(show.nearest(), show.rail + show.radius, 0.4 * show.radius) << weight;
+        EXPECT_NEAR(show.nearest(), show.rail + show.radius, 0.1 * show.radius) << weight;
     }
 }
 

@@ -122,6 +122,16 @@ template <int D, class Real> class AloneFinder {
             room_.way.push_back(way_of(moving));
         }
         include_pins();
+        find_buried();
+    }
+    /// Bodies that meet walls alone, and hang on a particle behind one: no row could hold them in front, and a block
+    /// gives way.
+    void find_buried() {
+        room_.is_buried.assign(room_.bodies.size(), 0);
+        for (const auto& end : room_.all.attached) {
+            const auto at = room_.index_of[end.body];
+            if (at != none && !collides(at) && detail::is_behind_walls(world_, end.row)) room_.is_buried[at] = 1;
+        }
     }
     Real way_of(const detail::BodyBox<D, Real>& body) const {
         Real fastest = 0;
@@ -172,6 +182,7 @@ template <int D, class Real> class AloneFinder {
     }
     bool is_near_walls(std::size_t i) const {
         if (collides(i) && body(i).has_several_figures) return true;
+        if (room_.is_buried[i]) return false;
         return detail::WallReach<D, Real>(world_, rows_of(i), room_.boxes[i], dt_)
             .any({.fall = fall_, .link = room_.reach[i], .is_pulled = room_.is_pulled[i] != 0});
     }
