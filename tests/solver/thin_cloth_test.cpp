@@ -90,12 +90,17 @@ TYPED_TEST(ThinCloth, AFlatSheetPushesNothing) {
         }
 }
 
+// Contacts that come and go by turns would make vertices in creases tremble.
 TYPED_TEST(ThinCloth, AHeapRests) {
     Fold<TypeParam> show({.size = 24, .contact = thin()});
     for (int i = 0; i < 600; ++i) show.advance();
-    double sum = 0;
-    for (const auto& velocity : show.world.particles.velocity) sum += double(norm(velocity));
-    EXPECT_LT(sum / double(show.world.particles.size()), 5e-3);
+    double sum = 0, fastest = 0;
+    for (const auto& velocity : show.world.particles.velocity) {
+        sum += double(norm(velocity));
+        fastest = std::max(fastest, double(norm(velocity)));
+    }
+    EXPECT_LT(sum / double(show.world.particles.size()), 2e-3);
+    EXPECT_LT(fastest, 0.015);
     EXPECT_EQ(count_crossings(show.world), 0U);
 }
 

@@ -10,15 +10,15 @@ template <class Real> class CellSearch {
     CellSearch(ThinRoom<3, Real>& room, const ClothForecasts<Real>& forecasts)
         : room_(room), mesh_(room.mesh), forecasts_(forecasts) {}
 
-    /// Half the distance at which edges touch, as a share of the thickness (pair_thickness).
-    static constexpr Real edge_share = Real(0.25);
+    /// Half the reach of edges, as a share of the thickness (pair_thickness).
+    static constexpr Real edge_share = Real(0.25) * contact_reach<Real>;
 
     /// Before a whole list: the mesh may be another one.
     void clear() {
         room_.dirty_cells.clear();
         room_.is_dirty_cell.assign(mesh_.cells.size(), 0);
     }
-    /// Boxes of the dirty, grown by half the distance at which edges touch.
+    /// Boxes of the dirty, grown by half the reach of edges.
     void update_boxes() {
         room_.vertex_box.resize(mesh_.size());
         room_.face_box.resize(mesh_.faces.size());

@@ -103,18 +103,18 @@ template <class Real> class FeatureSearch {
         offer(room_.pairs[1], {low[0], low[1], high[0], high[1]});
     }
 
-    /// Lists a pair that may come nearer than its thickness while both keep to their forecast.
+    /// Lists a pair that may come within reach while both keep to their forecast.
     void offer(FeaturePairs<Real>& pairs, const PairVertices& v) {
         if (!is_whole_ && !forecasts_.is_any_dirty(v)) return;
         FeatureCorners<Real> corner;
         for (std::size_t i = 0; i < 4; ++i) corner[i] = room_.vertices[v[i]].position;
         const auto near = pairs.first_side == 1 ? nearest_vertex_face(corner) : nearest_edge_edge(corner);
-        const Real thickness = pair_thickness(mesh_, v, pairs.first_side);
+        const Real reach = contact_reach<Real> * pair_thickness(mesh_, v, pairs.first_side);
         const auto gap = forecasts_.gap(v, pairs.first_side, near);
-        const Real needed = thickness + forecasts_.tolerance(v, pairs.first_side);
+        const Real needed = reach + forecasts_.tolerance(v, pairs.first_side);
         if (!(gap.least() < needed)) return;
         pairs.found.push_back({.vertex = v,
-                               .due = travel_of(v) + 0.999 * double(near.distance - thickness),
+                               .due = travel_of(v) + 0.999 * double(near.distance - reach),
                                .renewal = room_.renewal,
                                .wake = forecasts_.wake(gap, needed)});
     }

@@ -142,7 +142,8 @@ template <class Real> class NearPairs {
         }
         const auto found = pairs.first_side == 1 ? nearest_vertex_face(corner) : nearest_edge_edge(corner);
         const Real thickness = pair_thickness(room_.mesh, pair.vertex, pairs.first_side);
-        pair.due = travel + 0.999 * double(found.distance - thickness);
+        const Real reach = contact_reach<Real> * thickness;
+        pair.due = travel + 0.999 * double(found.distance - reach);
         if (!(ahead > pair.due)) return;
         NearPair<Real> near{.vertex = pair.vertex,
                             .weight = found.weight,
@@ -151,22 +152,24 @@ template <class Real> class NearPairs {
                             .thickness = thickness};
         for (std::size_t i = 0; i < 4; ++i) near.height[i] = dot(found.normal, corner[i] - corner[0]);
         const Real gap = gap_of(near.height, pairs.first_side);
-        if (min(gap, gap_ahead(room_, near, pairs.first_side)) >= thickness)
-            return sleep(pairs, pair, found, thickness);
+        if (min(gap, gap_ahead(room_, near, pairs.first_side)) >= reach) return sleep(pairs, pair, found, reach);
         pair.is_near = true;
         near.is_parted = gap > Real(0.7) * found.distance;
         near.is_touching = is_touching(near, found.is_inside, pairs.first_side);
         pairs.near.push_back(near);
     }
     /// A plane keeps the pair apart as long as both keep to their forecast.
-    void sleep(const FeaturePairs<Real>& pairs, FeaturePair& pair, const NearestPoints<Real>& found, Real thickness) {
+    void sleep(const FeaturePairs<Real>& pairs, FeaturePair& pair, const NearestPoints<Real>& found, Real reach) {
         if (room_.is_static) return;
         const auto gap = forecasts_.gap(pair.vertex, pairs.first_side, found);
-        pair.wake = forecasts_.wake(gap, thickness + forecasts_.tolerance(pair.vertex, pairs.first_side));
+        pair.wake = forecasts_.wake(gap, reach + forecasts_.tolerance(pair.vertex, pairs.first_side));
     }
+    /// Beside a face the nearest points count by their places at the end of the substep, be they out of touch at its
+    /// start; beside an edge, vertices meet faces.
     bool is_touching(const NearPair<Real>& near, bool is_inside, std::size_t first_side) const {
-        if (!is_inside && (first_side == 2 || near.distance >= near.thickness)) return false;
-        return near.distance + dot(near.normal, relative_displacement(room_, near)) < near.thickness;
+        if (!is_inside && first_side == 2) return false;
+        const auto apart = near.normal * near.distance + relative_displacement(room_, near);
+        return (is_inside ? dot(near.normal, apart) : norm(apart)) < contact_reach<Real> * near.thickness;
     }
 };
 

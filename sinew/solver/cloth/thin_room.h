@@ -10,15 +10,19 @@
 
 namespace sinew::detail {
 
+/// Distance up to which a pair is solved, as a share of its thickness: corrections of other pairs bring it nearer in
+/// the same pass. Pairs chosen by what links do alone would come and go by turns, and cloth at rest would tremble.
+template <class Real> inline constexpr Real contact_reach = Real(1.05);
+
 /// Vertices of a pair: a vertex and a face, or two edges.
 using PairVertices = std::array<std::uint32_t, 4>;
 
 /// Pair that may come near while particles keep to their forecast.
 struct FeaturePair {
     PairVertices vertex{};
-    double due = 0;            ///< sum of the travels of the vertices from which it may be nearer than the thickness
+    double due = 0;            ///< sum of the travels of the vertices from which it may be within reach
     std::uint32_t renewal = 0; ///< number of the search that found it
-    std::uint16_t wake = 0;    ///< substep before which it cannot be nearer than the thickness, by the forecasts
+    std::uint16_t wake = 0;    ///< substep before which it cannot be within reach, by the forecasts
     bool is_near = false;      ///< in this substep
 };
 
@@ -30,7 +34,7 @@ template <class Real> struct NearPair {
     Vec3<Real> normal{};
     Real distance = 0; ///< at the start of the substep
     Real thickness = 0;
-    bool is_touching = false; ///< nearer than the thickness, or about to be
+    bool is_touching = false; ///< within reach, or about to be
     bool is_parted = true;    ///< the normal parts the pair
     bool is_fixed = false;    ///< moves are truncated at its plane
 };
