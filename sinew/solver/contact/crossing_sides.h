@@ -6,8 +6,9 @@ namespace sinew::detail {
 
 /// Sides on which crossing links of figures are of each other in space: without them links pressed until their axes
 /// pass each other would be pushed on. A side is the sign of the product of both directions and the way between the
-/// nearest points; all rows of two crossing lines share it, so a contact that slides to a neighbouring link or to the
-/// particle between two links hands it over.
+/// nearest points. A contact that slides to a neighbouring link or to the particle between two links while it is
+/// pressed through hands that over, and not the side: where a line winds around another or folds back over it, links
+/// beside each other may have either side.
 template <class Real> class CrossingSides {
   public:
     using Vector = Vec3<Real>;
@@ -32,15 +33,15 @@ template <class Real> class CrossingSides {
                position(last == none ? particle : room_.segments[last].number_a);
     }
 
-    /// Side kept by a pair, or else by the nearest pairs beside it; 0: none.
-    int kept(std::uint32_t pair) const {
+    /// Side kept by a pair; of a new one the present side, or the other where a pair beside it is pressed through.
+    int kept(std::uint32_t pair, int present) const {
         if (const int own = room_.multipliers[pair].side; own != 0) return own;
         const auto [first, second] = room_.list.candidates[pair];
         for (const auto other : beside(first))
-            if (const int side = of(other, second); side != 0) return side;
+            if (is_through(other, second)) return -present;
         for (const auto other : beside(second))
-            if (const int side = of(first, other); side != 0) return side;
-        return 0;
+            if (is_through(first, other)) return -present;
+        return present;
     }
 
   private:
@@ -77,6 +78,28 @@ template <class Real> class CrossingSides {
         const auto link = number - count_;
         return {room_.segments[link].number_a, room_.segments[link].number_b, feature(before(link)),
                 feature(after(link))};
+    }
+    /// True if the pair of two features has kept the side on which it no longer is.
+    bool is_through(std::uint32_t a, std::uint32_t b) const {
+        const int side = of(a, b);
+        return side != 0 && side_of(away(a, b), direction_of(a), direction_of(b)) == -side;
+    }
+    Vector direction_of(std::uint32_t number) const {
+        if (number < count_) return direction_at(number);
+        const auto [start, end] = ends_of(number);
+        return end - start;
+    }
+    /// Way from the nearest point of b to that of a.
+    Vector away(std::uint32_t a, std::uint32_t b) const {
+        const auto [p, q] = ends_of(a);
+        const auto [r, s] = ends_of(b);
+        const auto at = collide::nearest_parameters(p, q, r, s);
+        return p + (q - p) * at.s - (r + (s - r) * at.t);
+    }
+    std::pair<Vector, Vector> ends_of(std::uint32_t number) const {
+        if (number < count_) return {position(number), position(number)};
+        const auto& link = room_.segments[number - count_];
+        return {position(link.number_a), position(link.number_b)};
     }
     /// Side kept by the pair of two features, if it is listed.
     int of(std::uint32_t a, std::uint32_t b) const {

@@ -198,8 +198,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
                        Real thickness) {
         if (distance > thickness) return false;
         const int present = CrossingSides<Real>::side_of(away, u, v);
-        const int before = present == 0 ? 0 : sides_of().kept(source_);
-        row.side = static_cast<signed char>(before != 0 ? before : present);
+        row.side = static_cast<signed char>(present == 0 ? 0 : sides_of().kept(source_, present));
         if (row.side == present) return false;
         return turn_round(row, distance);
     }
