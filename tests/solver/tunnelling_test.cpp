@@ -1,4 +1,5 @@
 #include "sinew/math/trig.h"
+#include "sinew/prefab/rope.h"
 #include "sinew/world/colliders.h"
 
 #include "tests/crates.h"
@@ -143,6 +144,62 @@ TYPED_TEST(Tunnelling, AWeightedRopeFallsOnATautRopeAndHangsOverIt) {
         EXPECT_GT(highest, 0) << radius;
         EXPECT_LT(double((*position_of(world, above.front()))[1]), 0) << radius; // its ends hang down
         EXPECT_LT(double((*position_of(world, above.back()))[1]), 0) << radius;
+    }
+}
+
+/// Ways from the axes of the links of b to those of a which they cross; zero where they are further off than `far`.
+template <class Real>
+std::vector<Vec3<Real>> ways_between(const World<3, Real>& world, const std::vector<ParticleId>& a,
+                                     const std::vector<ParticleId>& b, double far) {
+    std::vector<Vec3<Real>> ways;
+    for (std::size_t i = 1; i < a.size(); ++i)
+        for (std::size_t k = 1; k < b.size(); ++k) {
+            const auto p = *position_of(world, a[i - 1]), q = *position_of(world, a[i]);
+            const auto r = *position_of(world, b[k - 1]), s = *position_of(world, b[k]);
+            const auto [t, u] = collide::nearest_parameters(p, q, r, s);
+            const auto way = p + (q - p) * t - (r + (s - r) * u);
+            const bool cross = t > 0 && t < 1 && u > 0 && u < 1 && double(norm(way)) < far;
+            ways.push_back(cross ? way : Vec3<Real>{});
+        }
+    return ways;
+}
+
+// A limp rope that falls across a taut one folds up on it and winds around it, so that links beside each other cross
+// the taut one from either side; weights on its ends tear at it. No axis passes another.
+TYPED_TEST(Tunnelling, ALimpRopeFoldsUpOnATautRopeAndDoesNotPassIt) {
+    using Real = TypeParam;
+    struct Fall {
+        double height, weight, seconds; // m, kg, s
+    };
+    for (const auto& [height, weight, seconds] :
+         {Fall{0.2, 0, 4}, Fall{0.5, 0.2, 2}, Fall{1, 0.2, 2}, Fall{1, 1, 1.5}, Fall{1, 2, 1}}) {
+        constexpr double radius = 0.01;
+        Space<Real> world;
+        fall(world, 9.81);
+        const auto rope = [&](double length, double mass, const char* pinned) {
+            const auto figure = build(world,
+                                      Rope{.length = length,
+                                           .angle = pi<double> / 2,
+                                           .pinned = pinned,
+                                           .weight = mass,
+                                           .thickness = 2 * radius},
+                                      pinned, {.at = {{-1, 0, 0}}});
+            set_contact(world, figure, {.figures = true, .friction = 0.3});
+            const auto& ids = world.figures[figure].particles;
+            return std::vector<ParticleId>(ids.begin(), ids.end());
+        };
+        const auto below = rope(2, 0, "both"), above = rope(1, weight, "none");
+        if (weight > 0) set_mass(world, above.front(), Real(weight + 1.0 / 40));
+        for (std::size_t i = 0; i < above.size(); ++i)
+            set_position(world, above[i], {{Real(0.03), Real(height), Real(0.05 * double(i) - 0.5)}});
+        auto before = ways_between(world, below, above, 2 * radius);
+        for (int i = 0; i < int(60 * seconds); ++i) {
+            step(world, Real(1.0 / 60));
+            const auto now = ways_between(world, below, above, 2 * radius);
+            for (std::size_t k = 0; k < now.size(); ++k) ASSERT_GE(dot(now[k], before[k]), 0) << height << ' ' << i;
+            before = now;
+        }
+        EXPECT_LT(stretch(world).max, 1e-3) << height;
     }
 }
 

@@ -21,21 +21,19 @@ template <int D, class Real> class DeepRows {
     void hold() {
         constexpr int rounds = 3;
         for (int i = 0; i < rounds; ++i)
-            if (!hold_each([](const Part&, std::size_t) { return true; }, [](const RowT&) {})) return;
+            if (!hold_each()) return;
     }
 
     /// Links of a taut rope give way across it to first order and not to second: the correction of its lengths brings
-    /// back what a row has moved. Rows of figures are therefore held until lengths and rows agree.
+    /// back what a row has moved. Rows of figures are therefore held as the figures answer at the end of the
+    /// displacements, where such a rope is bent, until lengths and rows agree.
     void hold_again() {
-        constexpr int corrections = 3, rounds = 8;
-        const auto is_of_figures = [](const Part& part, std::size_t i) { return i < part.first_wall; };
-        const auto mark = [&](const RowT& row) {
-            for (const Row slot : HeldRows<D, Real>::members_of(row)) projector().mark(slot);
-        };
+        constexpr int corrections = 8, rounds = 3;
         for (int i = 0; i < corrections; ++i) {
-            bool any = false;
-            for (int k = 0; k < rounds && hold_each(is_of_figures, mark); ++k) any = true;
-            if (!any) return;
+            if (!each_lacking([&](RowT& row, Origin&, Real) { mark(row); })) return;
+            projector().turn_marked(state_);
+            for (int k = 0; k < rounds; ++k)
+                if (!each_lacking([&](RowT& row, Origin& origin, Real lacking) { move(row, origin, lacking); })) break;
             projector().project_lengths_again(state_);
         }
     }
@@ -48,20 +46,40 @@ template <int D, class Real> class DeepRows {
 
     auto& projector() { return solver_.contacts->projector; }
 
-    /// One round over the rows `takes` chooses; true if any has moved, each of which is `told`.
-    template <class Takes, class Told> bool hold_each(const Takes& takes, const Told& told) {
+    /// One round over all rows; true if any has moved.
+    bool hold_each() {
         bool any = false;
         for (auto& part : solver_.contacts->parts.list)
-            for (const auto i : part.deep) {
-                if (!takes(part, i) || is_buried(part, i) || !hold(part.rows[i], part.origins[i])) continue;
-                told(part.rows[i]);
-                any = true;
-            }
+            for (const auto i : part.deep)
+                if (!is_buried(part, i)) any = hold(part.rows[i], part.origins[i]) || any;
         return any;
     }
     /// Begins the substep more than a diameter behind a wall: pinned there, it may have no way out.
     static bool is_buried(const Part& part, std::size_t i) {
         return i >= part.first_wall && part.rows[i].gap < Real(-4) * part.origins[i].deep;
+    }
+    /// Calls visit(row, origin, distance) for rows of figures that lack more than is of any use; true if there are any.
+    template <class Visit> bool each_lacking(const Visit& visit) {
+        constexpr Real slight = Real(1e-3); // of the depth; a substep recovers 25 times that share of what is beyond
+        bool any = false;
+        for (auto& part : solver_.contacts->parts.list)
+            for (const auto i : part.deep) {
+                auto& origin = part.origins[i];
+                const Real lacking = missing(part.rows[i], origin);
+                if (i >= part.first_wall || !(lacking > slight * origin.deep)) continue;
+                visit(part.rows[i], origin, lacking);
+                any = true;
+            }
+        return any;
+    }
+    void mark(const RowT& row) {
+        for (const Row slot : HeldRows<D, Real>::members_of(row)) projector().mark(slot);
+    }
+    void move(RowT& row, Origin& origin, Real lacking) {
+        mark(row);
+        const Real impulse = held_.move(row, lacking);
+        origin.pushed += impulse;
+        row.max = max(row.max, row.multiplier + impulse);
     }
     Real missing(const RowT& row, const Origin& origin) const {
         const Real beyond = -row.gap - origin.deep;

@@ -15,11 +15,18 @@ template <int D, class Real> class HeldRows {
 
     /// 1 / (displacement of the contact for a unit impulse), kg.
     Real mass_of(const RowT& row) const {
-        std::array<Vec<D, double>, D + 1> push_of{};
-        const auto members = std::size_t(row.members);
-        for (std::size_t i = 0; i < members; ++i) push_of[i] = cast<double>(row.normal * row.weight[i]);
-        return Real(
-            inverse_or_zero(projector_.response(state_).along(members_of(row), std::span(push_of).first(members))));
+        const auto pushes = pushes_of(row);
+        return Real(inverse_or_zero(projector_.response(state_).along(members_of(row), of_members(row, pushes))));
+    }
+    /// Moves the contact by a distance along the normal, as far as the figures can; returns the impulse.
+    Real move(const RowT& row, Real distance) const {
+        const auto pushes = pushes_of(row);
+        const auto slots = members_of(row);
+        const auto response = projector_.response(state_);
+        const double mass = inverse_or_zero(response.along(slots, of_members(row, pushes)));
+        const double impulse = min(double(distance) * mass, double(limit::multiplier<Real>));
+        response.move(state_, slots, of_members(row, pushes), impulse);
+        return Real(impulse);
     }
     /// Pushes along the normal, and then holds the links of each figure.
     void push(const RowT& row, Real impulse) const {
@@ -36,6 +43,15 @@ template <int D, class Real> class HeldRows {
     }
 
   private:
+    using Pushes = std::array<Vec<D, double>, D + 1>;
+    static Pushes pushes_of(const RowT& row) {
+        Pushes pushes{};
+        for (std::size_t i = 0; i < std::size_t(row.members); ++i) pushes[i] = cast<double>(row.normal * row.weight[i]);
+        return pushes;
+    }
+    static std::span<const Vec<D, double>> of_members(const RowT& row, const Pushes& pushes) {
+        return std::span(pushes).first(std::size_t(row.members));
+    }
     LinkProjector<D, Real>& projector_;
     SweepState<D, Real>& state_;
     const RowSolver<D, Real>& rows_;

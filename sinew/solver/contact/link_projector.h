@@ -57,6 +57,10 @@ template <int D, class Real> class LinkProjector {
         is_marked_[component] = 1;
         marked_.push_back(slot);
     }
+    /// Holds the lengths of the marked components as they change at the end of the displacements.
+    void turn_marked(const SweepState<D, Real>& state) {
+        for (const Row slot : marked_) response(state).turn(links_.component_of[slot]);
+    }
     /// Right lengths of the marked components, once more in the substep: the energy due stays as it was.
     void project_lengths_again(SweepState<D, Real>& state) {
         for (const Row slot : marked_) {
