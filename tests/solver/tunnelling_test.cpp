@@ -251,6 +251,24 @@ TYPED_TEST(Tunnelling, ARopeSqueezedByAMovingBoxRecovers) {
     }
 }
 
+// A taut rope whose end is pinned below the ground has no way out: it lies still in its block.
+TYPED_TEST(Tunnelling, ARopeAnchoredInTheGroundIsNotThrown) {
+    using Real = TypeParam;
+    FlatWorld<Real> world;
+    add_ground(world);
+    world.settings.damping = Real(0.5);
+    const auto rope = add_line<2, Real>(world, 40, {{0, Real(0.8)}}, {{Real(0.001), Real(-0.035)}}, 0.2, 0.05);
+    set_contact(world, world.particles.figure[0], {});
+    pin(world, rope.front());
+    pin(world, rope.back());
+    for (int i = 0; i < 90; ++i) {
+        step(world, Real(1.0 / 60));
+        for (const auto& velocity : world.particles.velocity) ASSERT_LT(double(norm(velocity)), 1) << i;
+    }
+    EXPECT_LT(mean_speed(world), 1e-3);
+    EXPECT_LT(stretch(world).max, 0.01);
+}
+
 // A hand behind a wall pulls with a thousand times the weight of the figure: the wall holds, the links stay exact.
 TYPED_TEST(Tunnelling, AHandDoesNotDragAFigureThroughAWall) {
     using Real = TypeParam;
