@@ -42,8 +42,10 @@ template <int D, class Real> class LinkResponse {
     /// Moves the particles by a multiple of the displacement for which `along` has last been asked.
     void move(SweepState<D, Real>& state, std::span<const Row> slots, std::span<const Vector> pushes,
               double impulse) const {
+        const Real furthest = max_displacement(Real(1) / state.per_h);
         const auto add = [&](Row slot, const Vector& moved) {
-            state.set_displacement(slot, state.displacement_at(slot) + cast<Real>(moved));
+            const auto to = state.displacement_at(slot) + cast<Real>(moved);
+            state.set_displacement(slot, clamp_components(to, furthest));
         };
         for (std::size_t i = 0; i < slots.size(); ++i)
             if (const double mobility = double(state.mobility[slots[i]]); mobility > 0)
