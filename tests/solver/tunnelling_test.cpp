@@ -251,22 +251,27 @@ TYPED_TEST(Tunnelling, ARopeSqueezedByAMovingBoxRecovers) {
     }
 }
 
-// A taut rope whose end is pinned below the ground has no way out: it lies still in its block.
+// A taut rope whose end is pinned below the ground has no way out. It lies still in its block; where it meets figures,
+// rows of contact and exact links contradict each other, but it is not thrown about.
 TYPED_TEST(Tunnelling, ARopeAnchoredInTheGroundIsNotThrown) {
     using Real = TypeParam;
-    FlatWorld<Real> world;
-    add_ground(world);
-    world.settings.damping = Real(0.5);
-    const auto rope = add_line<2, Real>(world, 40, {{0, Real(0.8)}}, {{Real(0.001), Real(-0.035)}}, 0.2, 0.05);
-    set_contact(world, world.particles.figure[0], {});
-    pin(world, rope.front());
-    pin(world, rope.back());
-    for (int i = 0; i < 90; ++i) {
-        step(world, Real(1.0 / 60));
-        for (const auto& velocity : world.particles.velocity) ASSERT_LT(double(norm(velocity)), 1) << i;
+    for (const bool collides : {false, true}) {
+        FlatWorld<Real> world;
+        add_ground(world);
+        world.settings.damping = Real(0.5);
+        const auto rope = add_line<2, Real>(world, 40, {{0, Real(0.8)}}, {{Real(0.001), Real(-0.035)}}, 0.2, 0.05);
+        if (!collides) set_contact(world, world.particles.figure[0], {});
+        pin(world, rope.front());
+        pin(world, rope.back());
+        double fastest = 0;
+        for (int i = 0; i < 90; ++i) {
+            step(world, Real(1.0 / 60));
+            for (const auto& velocity : world.particles.velocity) fastest = std::max(fastest, double(norm(velocity)));
+        }
+        EXPECT_LT(fastest, collides ? 15 : 1);
+        EXPECT_LT(mean_speed(world), collides ? 1 : 1e-3);
+        EXPECT_LT(stretch(world).max, collides ? 0.2 : 0.01);
     }
-    EXPECT_LT(mean_speed(world), 1e-3);
-    EXPECT_LT(stretch(world).max, 0.01);
 }
 
 // A hand behind a wall pulls with a thousand times the weight of the figure: the wall holds, the links stay exact.

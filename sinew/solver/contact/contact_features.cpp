@@ -1,4 +1,5 @@
 #include "sinew/math/sort.h"
+#include "sinew/solver/contact/behind_walls.h"
 #include "sinew/solver/contact/cloth_features.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_room.h"
@@ -45,6 +46,7 @@ template <int D, class Real> class FeatureFinder {
         room_.all_by_rows = std::ranges::find(room_.by_rows, char(0)) == room_.by_rows.end();
         divide();
         room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
+        find_buried();
         for (const Row slot : room_.cloth.slots) room_.is_exact[slot] = 0;
         const auto is_exact = [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); };
         room_.joints.find(world_, solver_, is_exact);
@@ -64,6 +66,14 @@ template <int D, class Real> class FeatureFinder {
     ContactRoom<D, Real>& room_;
     static constexpr std::uint32_t none = ~std::uint32_t(0);
 
+    void find_buried() {
+        const auto& links = room_.projector.links();
+        room_.is_buried.assign(links.components.size(), 0);
+        for (const auto& link : links.list)
+            for (const auto& [held, moving] : {std::pair{link.a, link.b}, {link.b, link.a}})
+                if (const Row row = solver_.sweep_state.row_of[held]; world_.particles.mobility[row] == Real(0))
+                    if (detail::is_behind_walls(world_, row)) room_.is_buried[links.component_of[moving]] = 1;
+    }
     bool has_cloth(const Component& component) const {
         const auto& slots = room_.cloth.slots; // ascending
         const auto next = std::lower_bound(slots.begin(), slots.end(), component.begin.slot);

@@ -27,6 +27,7 @@ template <int D, class Real> struct ContactRoom {
     std::vector<char> is_exact;         ///< per slot of the sweep: links at the particle are exact, or there are none
     std::vector<char> exact_components; ///< per component of the plan: the sweep has no distances there
     std::vector<char> cloth_components; ///< per component of the plan: some particle is of cloth
+    std::vector<char> is_buried;        ///< per component of rigid links: it hangs on a particle behind a wall
     std::vector<std::array<Row, 2>> links; ///< pairs of linked particles, in order
 
     detail::ContactList<D, Real> list;                   ///< pairs of features that may touch

@@ -51,12 +51,13 @@ template <int D, class Real> class DeepRows {
         bool any = false;
         for (auto& part : solver_.contacts->parts.list)
             for (const auto i : part.deep)
-                if (!is_buried(part, i)) any = hold(part.rows[i], part.origins[i]) || any;
+                if (i < part.first_wall || !is_buried(part.rows[i])) any = hold(part.rows[i], part.origins[i]) || any;
         return any;
     }
-    /// Begins the substep more than a diameter behind a wall: pinned there, it may have no way out.
-    static bool is_buried(const Part& part, std::size_t i) {
-        return i >= part.first_wall && part.rows[i].gap < Real(-4) * part.origins[i].deep;
+    /// A figure that hangs on a particle behind a wall may have no way out of it.
+    bool is_buried(const RowT& row) {
+        const auto component = projector().links().component_of[row.slot[0]];
+        return component != RigidLinks<D, Real>::none && solver_.contacts->is_buried[component] != 0;
     }
     /// Calls visit(row, origin, distance) for rows of figures that lack more than is of any use; true if there are any.
     template <class Visit> bool each_lacking(const Visit& visit) {
