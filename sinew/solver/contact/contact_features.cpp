@@ -39,7 +39,7 @@ template <int D, class Real> class FeatureFinder {
             room_.thin.reserve();
         }
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
-            if (world_.figures[i].in_use()) add_segments(i);
+            if (world_.figures[i].in_use() && any_near(world_.figures[i])) add_segments(i);
         list_particles();
         number_segments();
         if (room_.is_stale) room_.list.is_valid = false;
@@ -181,6 +181,13 @@ template <int D, class Real> class FeatureFinder {
     bool takes_part(Row row) const {
         return row != no_row && world_.particles.near[row] != 0 &&
                solver_.sweep_state.slot_of[row] < solver_.sweep_state.size();
+    }
+
+    bool any_near(const Figure& figure) const {
+        for (const auto& id : figure.particles)
+            if (const auto row = world_.particles.handles.find(id); row && world_.particles.near[*row] != 0)
+                return true;
+        return false;
     }
 
     /// A filled area is solid on the inner side of its outline; its outline needs no second set of segments.
