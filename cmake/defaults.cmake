@@ -24,3 +24,21 @@ function(sinew_warnings target)
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
         "$<$<BOOL:${CMAKE_UNITY_BUILD}>:${unity_warnings}>")
 endfunction()
+
+# sinew_precompile(TARGET HEADER...): what most files of a target include is compiled once: these headers, the standard
+# library and fmt. `./dev check clang` builds without (CMAKE_DISABLE_PRECOMPILE_HEADERS), and so finds what a file forgot
+# to include. g++ 12 reports strings of the precompiled library wrongly (its bug 105651).
+function(sinew_precompile target)
+    list(TRANSFORM ARGN PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE headers)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory>
+        <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector> ${headers})
+    target_compile_options(${target} PRIVATE
+        "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread;-Wno-maybe-uninitialized>")
+endfunction()
+
+# sinew_app(TARGET): a target around the library, which takes the time. All have the same options, and so can have one
+# precompiled header.
+function(sinew_app target)
+    target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Debug>,-O0,-Og>)
+    sinew_warnings(${target})
+endfunction()

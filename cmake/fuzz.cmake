@@ -1,6 +1,6 @@
-# fuzz/NAME.cpp -> bin/NAME, a fuzzer per file, and a test that runs it. Needs clang. Only the reader of text, which the
-# fuzzers are about, tells which of its branches have been taken: the build serves the other tests, too.
-target_compile_options(sinew_read PRIVATE -fsanitize=fuzzer-no-link)
+# fuzz/NAME.cpp -> bin/NAME, a fuzzer per file, and a test that runs it. Needs clang. Only what runs once, the
+# reader of text among it, tells which of its branches have been taken: the build serves the other tests, too.
+target_compile_options(sinew_once PRIVATE -fsanitize=fuzzer-no-link)
 sinew_sources(fuzz)
 add_custom_target(fuzzers)
 foreach(source IN LISTS sources)

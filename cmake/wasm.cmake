@@ -16,7 +16,7 @@ endforeach()
 list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp) # put_beside: a picture of pictures
 list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
 list(FILTER all EXCLUDE REGEX "/targets/(avx[0-9]+|one)[.]cpp") # every engine has SIMD
-set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE)
+set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE SINEW_NO_AVX2 SINEW_NO_AVX512)
 # The files where the time goes are compiled for speed, and all else for size. Blocks weigh 5 % of the module more, and
 # ragdolls are six times as fast; pictures and the step weigh 5 %, and cloth is drawn three to five times as fast and
 # stepped up to twice as fast. Unrolled and vectorized loops would weigh another 1 % and win nothing.
@@ -36,12 +36,12 @@ endforeach()
 
 # Decimal numbers are the engine's own (sinew/math/decimal.h), in place of the C library's in 128-bit arithmetic.
 # A last -O0 keeps clang from running any wasm-opt of the machine.
-function(sinew_wasm_options name real)
+function(sinew_wasm_options name)
     # Functions of 2D and 3D, of one record and another, are often the same code: compiled once, they save 14 KB.
     target_compile_options(${name} PRIVATE -Oz -Xclang -fmerge-functions -ffp-contract=off -fno-math-errno
         -fvisibility=hidden -fno-threadsafe-statics -fno-c++-static-destructors)
     target_compile_definitions(${name} PRIVATE NDEBUG JSON_NOEXCEPTION
-        SINEW_ONE_PRECISION=${real} SINEW_SMALL)
+        ${worlds_left_out} SINEW_SMALL)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
     target_include_directories(${name} SYSTEM PRIVATE ${host_headers})
     sinew_warnings(${name})
@@ -57,11 +57,13 @@ list(REMOVE_ITEM all ${shared})
 
 # sinew_modules(NAME REAL): bin/NAME.wasm, with worlds of one precision, bin/NAME-threads.wasm, and the linker's maps.
 function(sinew_modules name real)
+    set(SINEW_WORLDS 2-${real} 3-${real})
+    include(cmake/worlds.cmake)
     add_library(${name}-objects OBJECT ${all})
-    sinew_wasm_options(${name}-objects ${real})
+    sinew_wasm_options(${name}-objects)
     foreach(module IN ITEMS ${name} ${name}-threads)
         add_executable(${module} ${shared} $<TARGET_OBJECTS:${name}-objects>)
-        sinew_wasm_options(${module} ${real})
+        sinew_wasm_options(${module})
     endforeach()
     # thread_local is for stopwatches, which no page has: plain in every object. Nothing that workers call allocates, so
     # the C library may do without atomics.

@@ -54,6 +54,12 @@ Session::Session(Opened opened)
     history_.restart(scene_, world_);
 }
 
+Session::Session(const Session&) = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(const Session&) = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
 void Session::restart() {
     world_ = instantiate(scene_);
     islands_.clear();

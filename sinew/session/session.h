@@ -54,6 +54,12 @@ using AnySolver = EveryWorld<std::variant, Solver>;
 class Session {
   public:
     explicit Session(Opened opened);
+    // Special members are defined in session.cpp, because each one generates a lot of code.
+    Session(const Session&);
+    Session(Session&&) noexcept;
+    Session& operator=(const Session&);
+    Session& operator=(Session&&) noexcept;
+    ~Session();
 
     const Scene& scene() const { return scene_; }
     const AnyWorld& world() const { return world_; }

@@ -47,17 +47,15 @@ template <int D, class Real> struct Solver {
     ColliderTouches<D, Real> touches;
     std::shared_ptr<const char> identity{}; ///< a journal read by this solver carries the same
 
-    Solver() = default;
-    explicit Solver(const SolverOptions& chosen) : options(chosen) {}
+    // Special members are defined in solver.cpp, because each one generates a lot of code.
+    Solver();
+    explicit Solver(const SolverOptions& chosen);
     /// A copy has the options, and works out the rest anew.
-    Solver(const Solver& other) : options(other.options) {}
-    Solver& operator=(const Solver& other) {
-        if (this != &other) *this = Solver(other.options);
-        return *this;
-    }
-    Solver(Solver&&) = default;
-    Solver& operator=(Solver&&) = default;
-    ~Solver() = default;
+    Solver(const Solver& other);
+    Solver& operator=(const Solver& other);
+    Solver(Solver&&) noexcept;
+    Solver& operator=(Solver&&) noexcept;
+    ~Solver();
 
     /// Advances a world by dt, in the world's time unit. dt is clamped to limit::step; zero, negative, NaN or below
     /// limit::shortest_step does nothing. Events stay in world.events until the next step. Allocates nothing, except

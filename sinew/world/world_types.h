@@ -1,27 +1,43 @@
 #pragma once
 
-/// Types of world of a build: 2D and 3D, float and double. The build names SINEW_ONE_PRECISION if it has worlds of one
-/// precision only.
-namespace sinew {
-
-#if defined(SINEW_ONE_PRECISION)
-
-/// List<Of<2, Real>, Of<3, Real>> for every precision.
-template <template <class...> class List, template <int, class> class Of>
-using EveryWorld = List<Of<2, SINEW_ONE_PRECISION>, Of<3, SINEW_ONE_PRECISION>>;
-
-/// Instantiates a template for every type of world: SINEW_INSTANTIATE(X) with X(D, Real).
-#define SINEW_INSTANTIATE(X) SINEW_INSTANTIATE_2D(X) X(3, SINEW_ONE_PRECISION)
-#define SINEW_INSTANTIATE_2D(X) X(2, SINEW_ONE_PRECISION)
-
+/// Types of world of a build: 2D and 3D, float and double. SINEW_WORLDS of the build lists those it has, and defines a
+/// word for each that is left out (CMakeLists.txt).
+///
+///     SINEW_INSTANTIATE(X)    X(D, Real) for every type of world: explicit instantiations
+///     SINEW_INSTANTIATE_2D(X) the same for those of two dimensions
+#ifdef SINEW_NO_WORLD_2_FLOAT
+#define SINEW_WORLD_2_FLOAT(X)
 #else
-
-template <template <class...> class List, template <int, class> class Of>
-using EveryWorld = List<Of<2, float>, Of<2, double>, Of<3, float>, Of<3, double>>;
-
-#define SINEW_INSTANTIATE(X) SINEW_INSTANTIATE_2D(X) X(3, float) X(3, double)
-#define SINEW_INSTANTIATE_2D(X) X(2, float) X(2, double)
-
+#define SINEW_WORLD_2_FLOAT(X) X(2, float)
 #endif
+#ifdef SINEW_NO_WORLD_2_DOUBLE
+#define SINEW_WORLD_2_DOUBLE(X)
+#else
+#define SINEW_WORLD_2_DOUBLE(X) X(2, double)
+#endif
+#ifdef SINEW_NO_WORLD_3_FLOAT
+#define SINEW_WORLD_3_FLOAT(X)
+#else
+#define SINEW_WORLD_3_FLOAT(X) X(3, float)
+#endif
+#ifdef SINEW_NO_WORLD_3_DOUBLE
+#define SINEW_WORLD_3_DOUBLE(X)
+#else
+#define SINEW_WORLD_3_DOUBLE(X) X(3, double)
+#endif
+
+#define SINEW_INSTANTIATE_2D(X) SINEW_WORLD_2_FLOAT(X) SINEW_WORLD_2_DOUBLE(X)
+#define SINEW_INSTANTIATE(X) SINEW_INSTANTIATE_2D(X) SINEW_WORLD_3_FLOAT(X) SINEW_WORLD_3_DOUBLE(X)
+
+namespace sinew {
+namespace detail {
+template <template <class...> class List, class, class... Entries> struct ListOf { using type = List<Entries...>; };
+} // namespace detail
+
+/// List<Of<2, float>, Of<2, double>, ...> over the types of world.
+template <template <class...> class List, template <int, class> class Of>
+#define SINEW_LIST_ENTRY(D, Real) , Of<D, Real>
+using EveryWorld = typename detail::ListOf<List, void SINEW_INSTANTIATE(SINEW_LIST_ENTRY)>::type;
+#undef SINEW_LIST_ENTRY
 
 } // namespace sinew

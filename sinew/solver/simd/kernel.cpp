@@ -1,79 +1,64 @@
 #include "sinew/solver/simd/kernel.h"
 
-namespace sinew {
+#include <algorithm>
 
-// The build names the kernels that it leaves out; the wide ones are for x86 only.
-#if !defined(SINEW_WIDE_KERNELS)
-#define SINEW_NO_AVX2
-#define SINEW_NO_AVX512
-#endif
+namespace sinew {
 
 extern const KernelSet kernels_one, kernels_sse2, kernels_avx2, kernels_avx512;
 
 namespace {
 
-const KernelSet* set_of(Simd simd) {
-    switch (simd) {
+struct Target {
+    Simd simd;
+    const KernelSet* kernels;
+    bool (*runs_here)();
+};
+
+/// Kernels of the build, the widest first. The build names those that it leaves out (cmake/kernels.cmake).
+constexpr Target targets[] = {
 #if !defined(SINEW_NO_AVX512)
-    case Simd::avx512:
-        return &kernels_avx512;
+    {Simd::avx512, &kernels_avx512,
+     [] {
+         return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+     }},
 #endif
 #if !defined(SINEW_NO_AVX2)
-    case Simd::avx2:
-        return &kernels_avx2;
+    {Simd::avx2, &kernels_avx2, [] { return __builtin_cpu_supports("avx2") != 0; }},
 #endif
 #if !defined(SINEW_NO_SSE2)
-    case Simd::sse2:
-        return &kernels_sse2;
+    {Simd::sse2, &kernels_sse2, [] { return true; }},
 #endif
-    default:
-#if defined(SINEW_NO_ONE)
-        return &kernels_sse2;
-#else
-        return &kernels_one;
+#if !defined(SINEW_NO_ONE)
+    {Simd::one, &kernels_one, [] { return true; }},
 #endif
-    }
+};
+
+const Target* target_of(Simd simd) {
+    const auto found = std::find_if(std::begin(targets), std::end(targets),
+                                    [&](const Target& target) { return target.simd == simd && target.runs_here(); });
+    return found == std::end(targets) ? nullptr : found;
 }
 
 } // namespace
 
 bool has_simd(Simd simd) {
-    switch (simd) {
-#if !defined(SINEW_NO_ONE)
-    case Simd::one:
-        return true;
-#endif
-#if !defined(SINEW_NO_SSE2)
-    case Simd::sse2:
-        return true;
-#endif
-#if !defined(SINEW_NO_AVX2)
-    case Simd::avx2:
-        return __builtin_cpu_supports("avx2") != 0;
-#endif
-#if !defined(SINEW_NO_AVX512)
-    case Simd::avx512:
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
-#endif
-    default:
-        return false;
-    }
+    return target_of(simd) != nullptr;
 }
 
-namespace {
-constexpr Simd all[] = {Simd::avx512, Simd::avx2, Simd::sse2, Simd::one};
-} // namespace
+bool has_any_simd() {
+    return std::any_of(std::begin(targets), std::end(targets), [](const Target& target) { return target.runs_here(); });
+}
 
 Simd best_simd() {
-    for (const Simd simd : all)
-        if (has_simd(simd)) return simd;
-    return Simd::one;
+    for (const auto& target : targets)
+        if (target.runs_here()) return target.simd;
+    return std::rbegin(targets)->simd;
 }
 
 std::optional<Simd> simd_called(std::string_view name) {
-    for (const Simd simd : all)
-        if (has_simd(simd) && name == name_of(simd)) return simd;
+    for (const auto& target : targets)
+        if (target.runs_here() && name == name_of(target.simd)) return target.simd;
     return std::nullopt;
 }
 
@@ -89,7 +74,8 @@ const char* name_of(Simd simd) {
 }
 
 template <int D, class Real> const Kernels<D, Real>& kernels(Simd simd) {
-    return *set_of(has_simd(simd) ? simd : best_simd());
+    const auto* target = target_of(simd);
+    return *(target ? target : target_of(best_simd()))->kernels;
 }
 
 #define SINEW_KERNELS_OF(D, Real) template const Kernels<D, Real>& kernels(Simd);

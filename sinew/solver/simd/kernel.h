@@ -206,6 +206,8 @@ enum class Simd { one, sse2, avx2, avx512 };
 
 /// True if both the processor and the build support the instruction set.
 bool has_simd(Simd simd);
+/// False if the processor has none of the instruction sets of the build: the program cannot step.
+bool has_any_simd();
 /// The widest instruction set that both support.
 Simd best_simd();
 /// one; sse2, neon or simd128; avx2; avx512.

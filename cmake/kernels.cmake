@@ -1,0 +1,41 @@
+# SIMD kernels are compiled once per instruction set and selected at run time (sinew/solver/simd/kernel.h). Sets
+# `kernels_chosen`, those of SINEW_KERNELS that this processor's family can have.
+set(kernels_chosen ${SINEW_KERNELS})
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    if("native" IN_LIST kernels_chosen)
+        set(native sse2)
+        if(EXISTS /proc/cpuinfo)
+            file(STRINGS /proc/cpuinfo flags REGEX "^flags" LIMIT_COUNT 1)
+            if(flags MATCHES " avx512f .*" AND flags MATCHES " avx512dq " AND flags MATCHES " avx512vl" AND flags MATCHES " avx512bw ")
+                set(native avx512)
+            elseif(flags MATCHES " avx2 ")
+                set(native avx2)
+            endif()
+        endif()
+        list(REMOVE_ITEM kernels_chosen native)
+        list(APPEND kernels_chosen ${native})
+    endif()
+    set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_WIDE_KERNELS)
+else()
+    list(REMOVE_ITEM kernels_chosen native avx2 avx512)
+    list(APPEND kernels_chosen sse2) # four lanes of any processor
+endif()
+
+# Instruction sets and optimisation. -O2 is as fast as -O3 here; kernels that no processor of the last ten years selects
+# get -O1, to save compile time.
+set(options_of_one -O1)
+set(options_of_sse2 -O1)
+set(options_of_avx2 -O2 -mavx2)
+set(options_of_avx512 -O2 -mavx512f -mavx512dq -mavx512vl -mavx512bw)
+foreach(name IN ITEMS one sse2 avx2 avx512)
+    set(file sinew/solver/simd/targets/${name}.cpp)
+    if(name IN_LIST kernels_chosen)
+        list(POP_FRONT options_of_${name} optimisation)
+        set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON
+            COMPILE_OPTIONS "$<IF:$<CONFIG:Debug>,-O0,${optimisation}>;${options_of_${name}}")
+    else()
+        set_source_files_properties(${file} PROPERTIES HEADER_FILE_ONLY ON)
+        string(TOUPPER "SINEW_NO_${name}" definition)
+        set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS ${definition})
+    endif()
+endforeach()
