@@ -151,28 +151,29 @@ template <int D, class Real> class ClothMeshBuilder {
         if (edge_.emplace(ends, 0).second) mesh_.edges.push_back(ends);
     }
 
-    /// By the links along edges, where there are any: places may be stretched.
+    /// By the links along edges that are not driven; where a vertex has none left, by its radius. Places are no
+    /// measure: they may be stretched, and a copy of the world made later would find others.
     void set_thickness() {
         const auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
         std::map<std::array<std::uint32_t, 2>, Real> length;
         for (Row row = 0; row < table.size(); ++row) {
             const auto ends = std::as_const(table.members)[row];
             const auto a = number_at(ends[0]), b = number_at(ends[1]);
-            if (a != none && b != none && table.high(row) < limit::measure<Real>)
+            if (a != none && b != none && table.high(row) < limit::measure<Real> && !table.motorized[row])
                 length[{std::min(a, b), std::max(a, b)}] = table.high(row);
         }
         mesh_.half_thickness.assign(mesh_.size(), limit::coordinate<Real>);
         for (const auto& ends : mesh_.edges) {
             const auto known = length.find(ends);
-            const Real edge = known != length.end() ? known->second : distance(position(ends[0]), position(ends[1]));
+            if (known == length.end()) continue;
             for (const auto end : ends)
-                mesh_.half_thickness[end] = min(mesh_.half_thickness[end], Real(0.5) * thickness * edge);
+                mesh_.half_thickness[end] = min(mesh_.half_thickness[end], Real(0.5) * thickness * known->second);
         }
+        for (std::uint32_t i = 0; i < mesh_.size(); ++i)
+            if (mesh_.half_thickness[i] == limit::coordinate<Real>)
+                mesh_.half_thickness[i] = world_.particles.radius[state_.row_of[mesh_.slots[i]]];
     }
     std::uint32_t number_at(Row row) const { return is_swept(row) ? number_[state_.slot_of[row]] : none; }
-    Vec<D, Real> position(std::uint32_t vertex) const {
-        return world_.particles.position[state_.row_of[mesh_.slots[vertex]]];
-    }
 
     void list_cells_at() {
         auto& first = mesh_.first_cell_at;

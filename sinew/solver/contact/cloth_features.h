@@ -6,6 +6,7 @@
 #include "sinew/world/world.h"
 
 #include <algorithm>
+#include <optional>
 
 /// Particles of cloth that collide, the distance that layers keep, and the neighbours that do not. Found once per
 /// topology.
@@ -88,6 +89,10 @@ template <int D, class Real> class ClothFeatures {
         }
     }
 
+    /// True for a link with a rest length. That of a driven one changes from step to step.
+    static bool is_edge(const Constraints<Distance<D>, Real>& table, Row row) {
+        return table.high(row) < limit::measure<Real> && !table.motorized[row];
+    }
     /// Links between particles of cloth, at both ends.
     void list_links() {
         const auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
@@ -96,7 +101,7 @@ template <int D, class Real> class ClothFeatures {
             for (Row row = 0; row < table.size(); ++row) {
                 const auto ends = table.members[row];
                 const auto a = number_of(state_.slot_of[ends[0]]), b = number_of(state_.slot_of[ends[1]]);
-                if (a == none || b == none || !(table.high(row) < limit::measure<Real>)) continue;
+                if (a == none || b == none || !is_edge(table, row)) continue;
                 visit(a, b, double(table.high(row)));
                 visit(b, a, double(table.high(row)));
             }
@@ -110,14 +115,16 @@ template <int D, class Real> class ClothFeatures {
     std::span<const Link> links_of(std::uint32_t i) const {
         return std::span(links_).subspan(first_link_[i], first_link_[i + 1] - first_link_[i]);
     }
-    double length_between(std::uint32_t a, std::uint32_t b) const {
+    /// Rest length of an edge; nothing where no link is left. Places are no measure: a copy of the world made later
+    /// would find others.
+    std::optional<double> length_between(std::uint32_t a, std::uint32_t b) const {
         for (const auto& link : links_of(a))
             if (link.to == b) return link.length;
-        return double(distance(p_.position[row_of(a)], p_.position[row_of(b)]));
+        return std::nullopt;
     }
     Row row_of(std::uint32_t i) const { return state_.row_of[room_.slots[i]]; }
 
-    /// The distance of layers is 1.5 mean edges of the figure's faces, or twice the radius of its particles.
+    /// The distance of layers is 1.5 mean linked edges of the figure's faces, or twice the radius of its particles.
     void set_radii() {
         struct Edges {
             double sum = 0, count = 0;
@@ -128,7 +135,7 @@ template <int D, class Real> class ClothFeatures {
                 const auto a = number_of(slot_of(piece.particles[i]));
                 const auto b = number_of(slot_of(piece.particles[(i + 1) % piece.particles.size()]));
                 if (a == none || b == none || a == b) continue;
-                edges[figure].sum += length_between(a, b), edges[figure].count += 1;
+                if (const auto length = length_between(a, b)) edges[figure].sum += *length, edges[figure].count += 1;
             }
         });
         room_.radius.clear();
