@@ -19,6 +19,15 @@ foreach(program IN ITEMS hello game)
     run(${work}/build/${program})
 endforeach()
 
+# The CMake lines of README.md, as pasted beside its program.
+take_block(${source}/README.md hello cmake)
+file(WRITE ${work}/pasted/CMakeLists.txt "${block}")
+file(COPY ${work}/hello.cpp DESTINATION ${work}/pasted)
+run(${CMAKE_COMMAND} -G Ninja -S ${work}/pasted -B ${work}/pasted/build -D CMAKE_PREFIX_PATH=${prefix}
+    -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags} -D CMAKE_BUILD_TYPE=${type})
+run(${CMAKE_COMMAND} --build ${work}/pasted/build)
+run(${work}/pasted/build/hello)
+
 run(sh -c "PKG_CONFIG_PATH=$(dirname $(find ${prefix} -name sinew.pc)) &&
     export PKG_CONFIG_PATH &&
     ${compiler} ${flags} ${work}/hello.cpp -o ${work}/hello $(pkg-config --cflags --libs sinew) && ${work}/hello")
