@@ -48,6 +48,17 @@ template <class Particles> sinew_view sleepers_of(const Particles& particles, st
     return view_of(rows);
 }
 
+/// A number of the state of every distance, in `numbers`.
+template <class WorldT>
+sinew_view measures_of(const WorldT& world, double ConstraintState::*number, std::vector<double>& numbers) {
+    constexpr auto kind = kind_number<Distance, WorldT::dimension>;
+    numbers.clear();
+    const auto& table = std::get<std::size_t(kind)>(world.constraints);
+    for (Row row = 0; row < table.size(); ++row)
+        numbers.push_back((*constraint_state(world, {int(kind), table.handles.id_of(row)})).*number);
+    return view_of(numbers);
+}
+
 template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world, int column, Simulation& simulation) {
     const auto& particles = world.particles;
     switch (column) {
@@ -69,6 +80,10 @@ template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world,
         return view_of(particles.mobility);
     case SINEW_ASLEEP:
         return sleepers_of(particles, simulation.rows);
+    case SINEW_TENSION:
+        return measures_of(world, &ConstraintState::tension, simulation.numbers);
+    case SINEW_STRAIN:
+        return measures_of(world, &ConstraintState::strain, simulation.numbers);
     default:
         return std::nullopt;
     }

@@ -31,6 +31,7 @@ struct Simulation {
     Drawn drawn{};
     std::string text{};                    ///< last text handed out
     std::vector<std::uint32_t> rows{};     ///< last column of rows handed out
+    std::vector<double> numbers{};         ///< last column of computed numbers handed out
     std::vector<sinew_contact> contacts{}; ///< as last counted
 
     /// Null if the player has no such pane.

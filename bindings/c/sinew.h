@@ -184,7 +184,10 @@ typedef enum sinew_column SINEW_INT {
     SINEW_FIGURE = 5,          /* uint32_t, index of the figure; ~0 for loose particles */
     SINEW_CONSTRAINT_ENDS = 6, /* uint32_t, two rows for each distance */
     SINEW_MOBILITY = 7,        /* inverse mass that the constraints see: 0 while pinned */
-    SINEW_ASLEEP = 8           /* uint32_t, 1: the particle is asleep */
+    SINEW_ASLEEP = 8,          /* uint32_t, 1: the particle is asleep */
+    SINEW_TENSION = 9,         /* double, one for each distance: newtons (or the scene's unit of force), positive when
+                                  pulling */
+    SINEW_STRAIN = 10          /* double, one for each distance: error as a fraction of the violated limit */
 } sinew_column;
 
 /* Memory of the simulation, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may
