@@ -1,0 +1,97 @@
+#include "bindings/python/core/simulation.h"
+
+#include "canvas/png.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sinew::python {
+namespace {
+
+/// Longest time that steps run without a look at Python's signals.
+constexpr std::chrono::milliseconds attention{50};
+
+Images read_images(const SceneSource& source) {
+    Images images;
+    for (const auto& [name, path] : source.images) {
+        auto read = canvas::read_png(path, name, Limits{});
+        if (!read.image) raise(SINEW_BAD_ARGUMENT, read.problem + (read.help.empty() ? "" : " (" + read.help + ")"));
+        images.emplace_back(name, std::move(read.image));
+    }
+    return images;
+}
+
+} // namespace
+
+template <class Open> sinew_status SceneSource::with_options(const Images& read, const Open& open) const {
+    std::vector<const char*> pairs;
+    for (const auto& pair : overrides) pairs.push_back(pair.c_str());
+    std::vector<sinew_image_file> sizes;
+    for (const auto& [file, image] : read)
+        sizes.push_back({file.c_str(), std::uint32_t(image->width), std::uint32_t(image->height)});
+    std::vector<sinew_model_file> texts;
+    for (const auto& [file, model] : models) texts.push_back({file.c_str(), model.c_str()});
+    const sinew_open_options options{name.c_str(), pairs.data(), pairs.size(), sizes.data(),
+                                     sizes.size(), texts.data(), texts.size()};
+    return open(options);
+}
+
+Simulation::Simulation(const SceneSource& source) : images_(read_images(source)) {
+    const auto open = [&](const sinew_open_options& options) {
+        const py::gil_scoped_release others;
+        return sinew_open(source.text.c_str(), &options, &handle_);
+    };
+    check(source.with_options(images_, open));
+}
+
+std::unique_ptr<Simulation> Simulation::copy() {
+    return std::make_unique<Simulation>(ask<sinew_simulation>(sinew_copy), images_);
+}
+
+template <class Next> void Simulation::advance(const Next& next) {
+    const Hold hold(mutex_);
+    for (bool more = true; more;) {
+        auto status = SINEW_OK;
+        {
+            const py::gil_scoped_release others;
+            const auto end = std::chrono::steady_clock::now() + attention;
+            while (more && std::chrono::steady_clock::now() < end) more = next(status) && status == SINEW_OK;
+        }
+        check(status);
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
+}
+
+void Simulation::step(std::uint32_t count) {
+    std::uint32_t taken = 0;
+    advance([&](sinew_status& status) {
+        status = sinew_step(handle_, std::min(count, 1u));
+        return ++taken < count;
+    });
+}
+
+void Simulation::run_until(double seconds) {
+    if (!std::isfinite(seconds)) raise(SINEW_BAD_ARGUMENT, "the time is not finite");
+    const double start = ask<sinew_report>(sinew_get_report).seconds;
+    const double rate = ask<sinew_info>(sinew_get_info).rate;
+    double steps = 0;
+    advance([&](sinew_status& status) {
+        const double next = start + ++steps / rate;
+        status = sinew_run_until(handle_, std::min(next, seconds));
+        return next < seconds;
+    });
+}
+
+sinew_point point_at(const Points& points, py::ssize_t row) {
+    const double* const first = points.data(row, 0);
+    return {first[0], first[1], points.shape(1) == 3 ? first[2] : 0};
+}
+
+sinew_point point_of(const Points& numbers, const char* what) {
+    if (numbers.ndim() != 1 || (numbers.size() != 2 && numbers.size() != 3))
+        raise(SINEW_BAD_ARGUMENT, std::string(what) + " has two or three numbers");
+    const double* const first = numbers.data();
+    return {first[0], first[1], numbers.size() == 3 ? first[2] : 0};
+}
+
+} // namespace sinew::python
