@@ -1,0 +1,164 @@
+"""Results of a study on disk: SQLite while it runs, tables at the end."""
+
+from __future__ import annotations
+
+import csv
+import fcntl
+import json
+import os
+import sqlite3
+from pathlib import Path
+from typing import Any, Iterable, Iterator
+
+from ..errors import Error
+from .case import Row
+from .file import StudyFile
+
+
+class ResultsError(Error):
+    """Results that are not this study's, are being written, or cannot be."""
+
+
+class Results:
+    """Rows by the number of a case. A row that was added is on disk; another process cannot open the same file."""
+
+    def __init__(self, study: StudyFile, path: Path, fresh: bool = False):
+        self.study, self.path = study, path
+        self._lock = _locked(path)
+        if fresh:
+            for ending in ("", "-wal", "-shm"):
+                Path(f"{path}{ending}").unlink(missing_ok=True)
+        try:
+            self._base = sqlite3.connect(path, isolation_level=None, timeout=30, check_same_thread=False)
+            # The log survives the end of the process at any moment; a power cut may lose the last rows.
+            self._base.execute("PRAGMA journal_mode = WAL")
+            self._base.execute("PRAGMA synchronous = NORMAL")
+            self._base.execute("CREATE TABLE IF NOT EXISTS study (key TEXT, cases INTEGER)")
+            self._base.execute("CREATE TABLE IF NOT EXISTS rows (number INTEGER PRIMARY KEY, measures TEXT, hash TEXT, reason TEXT, took REAL)")
+            self._check_key()
+        except sqlite3.Error as problem:
+            self._lock.close()
+            raise ResultsError(f"{path}: {problem}") from None
+        except ResultsError:
+            self.close()
+            raise
+
+    def _check_key(self) -> None:
+        found = self._base.execute("SELECT key FROM study").fetchone()
+        if found is None:
+            self._base.execute("INSERT INTO study VALUES (?, ?)", (self.study.key, len(self.study.design)))
+        elif found[0] != self.study.key:
+            raise ResultsError(f"{self.path} holds results of another study: the file, its scene or the engine has changed since; "
+                               "--fresh throws them away, -o FOLDER keeps them")
+
+    def add(self, rows: Iterable[Row]) -> None:
+        try:
+            self._base.execute("BEGIN")
+            self._base.executemany("INSERT OR REPLACE INTO rows VALUES (?, ?, ?, ?, ?)",
+                                   [(row.number, json.dumps(row.measures), row.hash, row.reason, row.took) for row in rows])
+            self._base.execute("COMMIT")
+        except sqlite3.Error as problem:
+            if self._base.in_transaction:
+                self._base.execute("ROLLBACK")
+            raise ResultsError(f"{self.path}: {problem}; all rows before are kept, and the study goes on from there when it is run again") from None
+
+    def done(self) -> set[int]:
+        return {number for number, in self._base.execute("SELECT number FROM rows")}
+
+    def count(self) -> tuple[int, int]:
+        """Rows, and those of cases that failed."""
+        rows, failed = self._base.execute("SELECT count(*), count(nullif(reason, '')) FROM rows").fetchone()
+        return rows, failed
+
+    def __iter__(self) -> Iterator[Row]:
+        for number, measures, hash_, reason, took in self._base.execute("SELECT * FROM rows ORDER BY number"):
+            yield Row(number, json.loads(measures), hash_, reason, took)
+
+    def merge(self, other: Path) -> None:
+        """Takes over the rows of another file of the same study."""
+        base = sqlite3.connect(other.absolute().as_uri() + "?mode=ro", uri=True)
+        try:
+            [key] = base.execute("SELECT key FROM study").fetchone() or [None]
+            if key != self.study.key:
+                raise ResultsError(f"{other} holds results of another study")
+            self.add(Row(number, json.loads(measures), hash_, reason, took)
+                     for number, measures, hash_, reason, took in base.execute("SELECT * FROM rows"))
+        except sqlite3.Error as problem:
+            raise ResultsError(f"{other}: {problem}") from None
+        finally:
+            base.close()
+
+    def close(self) -> None:
+        self._base.close()
+        self._lock.close()
+
+    def __enter__(self) -> Results:
+        return self
+
+    def __exit__(self, *reason: Any) -> None:
+        self.close()
+
+
+def _locked(path: Path) -> Any:
+    """An open file that holds the lock of the results; it ends with the process, however that ends."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        lock = open(f"{path}.lock", "a+", encoding="ascii")
+    except OSError as problem:
+        raise ResultsError(f"{path}: {problem.strerror}") from None
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        lock.seek(0)
+        owner = lock.read().strip()
+        lock.close()
+        raise ResultsError(f"another run{f' (process {owner})' if owner else ''} writes {path}; let it end, or give another folder: -o FOLDER") from None
+    lock.truncate(0)
+    lock.write(str(os.getpid()))
+    lock.flush()
+    return lock
+
+
+def table(study: StudyFile, rows: Iterable[Row]) -> tuple[list[str], Iterator[list[Any]]]:
+    """Names of the columns, and the rows: number, what varies, what was measured, hash, reason, seconds."""
+    paths, measures = [*study.design.vary, *study.design.noise], list(study.job.measure)
+    cases = study.design.values()
+
+    def each() -> Iterator[list[Any]]:
+        for row in rows:
+            values = cases[row.number]
+            yield [row.number, row.number % study.design.repetitions, *(_cell(values[path]) for path in paths),
+                   *(row.measures.get(name) for name in measures), row.hash, row.reason, row.took]
+
+    return ["case", "repetition", *paths, *measures, "hash", "failed", "took"], each()
+
+
+def _cell(value: Any) -> Any:
+    return value if isinstance(value, (int, float, str)) or value is None else json.dumps(value)
+
+
+def write_csv(study: StudyFile, rows: Iterable[Row], path: Path) -> None:
+    names, lines = table(study, rows)
+    partial = path.with_suffix(".partial")
+    try:
+        with open(partial, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(names)
+            writer.writerows(lines)
+        partial.replace(path)
+    except OSError as problem:
+        partial.unlink(missing_ok=True)
+        raise ResultsError(f"{path}: {problem.strerror}; the results are kept in results.sqlite") from None
+
+
+def write_parquet(study: StudyFile, rows: Iterable[Row], path: Path) -> bool:
+    """False where pyarrow is not installed."""
+    try:
+        import pyarrow
+        from pyarrow import parquet
+    except ImportError:
+        return False
+    names, lines = table(study, rows)
+    columns = list(zip(*lines)) or [()] * len(names)
+    parquet.write_table(pyarrow.table(dict(zip(names, map(list, columns)))), path)
+    return True
