@@ -22,7 +22,8 @@ function(sinew_warnings target)
     target_compile_options(${target} PRIVATE
         -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow $<$<BOOL:${SINEW_WERROR}>:-Werror>
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
-        "$<$<BOOL:${CMAKE_UNITY_BUILD}>:${unity_warnings}>")
+        "$<$<BOOL:${CMAKE_UNITY_BUILD}>:${unity_warnings}>"
+        "$<$<BOOL:${worlds_left_out}>:-Wno-unused-function>")
 endfunction()
 
 # sinew_precompile(TARGET HEADER...): what most files of a target include is compiled once: these headers, the standard

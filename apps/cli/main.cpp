@@ -1,5 +1,6 @@
 #include "sinew/scene/diagnostic.h"
 #include "sinew/scene/text.h"
+#include "sinew/solver/simd/kernel.h"
 #include "sinew/version.h"
 
 #include "apps/cli/arguments.h"
@@ -82,6 +83,10 @@ void give_back_at_once() {
 }
 
 int run_or_explain(Arguments arguments) {
+    if (!has_any_simd()) {
+        print_error(error_text("sinew", "this build has no kernels for this processor", "build it with SINEW_KERNELS=one"));
+        return bad_input;
+    }
     try {
         return run(arguments);
     } catch (const CommandError& end) {

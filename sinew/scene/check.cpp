@@ -35,7 +35,7 @@ class ValueCheck {
     ValueCheck(const Scene& scene, Document& document) : scene_(scene), document_(document) {}
 
     void run() {
-        precision();
+        world_type();
         names();
         check_sizes(scene_, document_);
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
@@ -56,9 +56,13 @@ class ValueCheck {
     const Scene& scene_;
     Document& document_;
 
-    void precision() {
+    void world_type() {
         const auto& wanted = scene_.solver.precision;
-        if (!has_precision(wanted))
+        if (has_world(scene_.dimension, wanted)) return;
+        if (has_world(5 - scene_.dimension, wanted))
+            document_.error("/dimension", format_text("this build has no worlds of {} dimensions", scene_.dimension),
+                            "list them in SINEW_WORLDS of the build");
+        else
             document_.error("/solver/precision", concat("this module has no worlds of ", wanted),
                             concat("load the module of ", wanted, " beside it, or leave out the precision"));
     }

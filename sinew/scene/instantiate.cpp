@@ -175,21 +175,22 @@ namespace {
 
 template <class Real> constexpr std::string_view name_of_precision = std::is_same_v<Real, float> ? "float" : "double";
 
-template <class WorldT> bool is_of(const Scene& scene) {
-    return scene.dimension == WorldT::dimension && scene.solver.precision == name_of_precision<typename WorldT::Real>;
+template <class WorldT> bool is_of(int dimension, std::string_view precision) {
+    return dimension == WorldT::dimension && precision == name_of_precision<typename WorldT::Real>;
 }
 
 template <class... Each> AnyWorld instantiate_any(const Scene& scene, std::type_identity<std::variant<Each...>>) {
     AnyWorld made;
     const auto make = [&]<int D, class Real>(std::type_identity<World<D, Real>>) {
-        if (is_of<World<D, Real>>(scene)) made = WorldBuilder<D, Real>(scene).make();
+        if (is_of<World<D, Real>>(scene.dimension, scene.solver.precision)) made = WorldBuilder<D, Real>(scene).make();
     };
     (make(std::type_identity<Each>{}), ...);
     return made;
 }
 
-template <class... Each> bool has_precision(std::string_view name, std::type_identity<std::variant<Each...>>) {
-    return ((name_of_precision<typename Each::Real> == name) || ...);
+template <class... Each>
+bool has_world(int dimension, std::string_view precision, std::type_identity<std::variant<Each...>>) {
+    return (is_of<Each>(dimension, precision) || ...);
 }
 
 } // namespace
@@ -198,8 +199,8 @@ AnyWorld instantiate(const Scene& scene) {
     return instantiate_any(scene, std::type_identity<AnyWorld>{});
 }
 
-bool has_precision(std::string_view name) {
-    return has_precision(name, std::type_identity<AnyWorld>{});
+bool has_world(int dimension, std::string_view precision) {
+    return has_world(dimension, precision, std::type_identity<AnyWorld>{});
 }
 
 } // namespace sinew

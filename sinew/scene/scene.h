@@ -195,8 +195,8 @@ using AnyWorld = EveryWorld<std::variant, World>;
 /// Rule by which classic mode holds a grabbed or driven particle.
 Hold hold_rule(const Scene& scene);
 
-/// True if this build has worlds of the precision, float or double.
-bool has_precision(std::string_view name);
+/// True if this build has worlds of the dimension and the precision, float or double.
+bool has_world(int dimension, std::string_view precision);
 
 /// Builds the world of a valid scene, at the start of the scene.
 AnyWorld instantiate(const Scene& scene);
