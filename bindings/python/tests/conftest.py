@@ -1,5 +1,6 @@
 """What the tests share."""
 
+import json
 import os
 import shutil
 from pathlib import Path
@@ -37,3 +38,19 @@ tearing = {
     "world": {"gravity": [0, -9.81]},
     "figures": [{"prefab": "cloth", "name": "cloth", "breaking_strain": 0.05}],
 }
+
+#: A study of pendulums: 12 cases.
+swing = {
+    "sinew_study": 1,
+    "scene": pendulum,
+    "vary": {"world.gravity": [[0, -1], [0, -2], [0, -4]], "figures.bob.particles.weight.mass": {"from": 1, "to": 8, "steps": 4, "scale": "log"}},
+    "until": 0.5,
+    "measure": {"height": "bob/weight.y", "stretch": {"max": "stretch"}, "energy": "energy", "pull": {"max": "bob/rod.tension"},
+                "torn": {"first": "torn"}, "grabs": {"count": "grab"}},
+}
+
+
+def written(folder, study, name="swing.study.json"):
+    path = folder / name
+    path.write_text(study if isinstance(study, str) else json.dumps(study, indent=1))
+    return path

@@ -16,26 +16,10 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import sinew
-from conftest import pendulum
+from conftest import pendulum, swing, written
 from sinew.study import ResultsError, Study, StudyError
 from sinew.study.design import Design, Variation
 from sinew.study.located import Reader
-
-swing = {
-    "sinew_study": 1,
-    "scene": pendulum,
-    "vary": {"world.gravity": [[0, -1], [0, -2], [0, -4]], "figures.bob.particles.weight.mass": {"from": 1, "to": 8, "steps": 4, "scale": "log"}},
-    "until": 0.5,
-    "measure": {"height": "bob/weight.y", "stretch": {"max": "stretch"}, "energy": "energy", "pull": {"max": "bob/rod.tension"},
-                "torn": {"first": "torn"}, "grabs": {"count": "grab"}},
-}
-
-
-def written(folder, study, name="swing.study.json"):
-    path = folder / name
-    path.write_text(study if isinstance(study, str) else json.dumps(study, indent=1))
-    return path
-
 
 def table(study):
     with open(study.folder / "table.csv", newline="") as file:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .. import __version__, scenes
+from .. import _core, scenes
 from ..errors import Error, SceneError
 from .case import Job, simulation_of
 from .design import Design, Variation, samples
@@ -319,7 +319,7 @@ class _Checker:
 
 def _key(job: Job, design: Design) -> str:
     """Hash of all that results depend on."""
-    plain = [__version__, job._asdict(), {path: vars(v) for path, v in design.vary.items()},
+    plain = [_core.version, job._asdict(), {path: vars(v) for path, v in design.vary.items()},
              {path: vars(v) for path, v in design.noise.items()}, design.sample, design.cases, design.repetitions, design.seed]
     return hashlib.sha256(json.dumps(plain, sort_keys=True).encode()).hexdigest()[:16]
 

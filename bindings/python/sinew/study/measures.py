@@ -15,7 +15,8 @@ from .located import nearest
 if TYPE_CHECKING:
     from ..simulation import Simulation
 
-overs = {"max": max, "min": min, "mean": lambda values: math.fsum(values) / len(values)}
+overs: dict[str, Callable[[list[float]], float]] = {
+    "max": max, "min": min, "mean": lambda values: math.fsum(values) / len(values)}
 _axes = ("x", "y", "z", "vx", "vy", "vz", "speed")
 _states = ("tension", "strain", "measure", "error")
 
