@@ -1,6 +1,9 @@
 """Arrays are views of the simulation's memory, and safe whatever happens to it."""
 
 import gc
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -66,6 +69,21 @@ def test_a_view_outlives_its_simulation(end):
     others = [sinew.open("cloth3d") for _ in range(5)]  # would take the freed memory
     assert np.array_equal(part, expected[3:7, 0])
     del others
+
+
+def test_the_sanitizer_sees_what_numpy_reads():
+    """The other tests of this file mean more where it does: `./dev check python` loads it."""
+    if "libasan" not in Path("/proc/self/maps").read_text():
+        pytest.skip("the address sanitizer is not loaded")
+    program = """if True:
+        import ctypes, gc, numpy, sinew
+        view = (sim := sinew.open("cloth3d")).positions
+        memory = (ctypes.c_char * view.nbytes).from_address(view.ctypes.data)  # without a pin
+        sim.close()
+        del sim, view
+        numpy.array(numpy.frombuffer(memory, numpy.uint8))"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+    assert done.returncode != 0 and "heap-use-after-free" in done.stderr
 
 
 def test_a_view_survives_growth():
