@@ -19,7 +19,8 @@ from .errors import ClosedError, Diagnostic, Error, NotFoundError, SceneError
 from .parts import Figure, Particle, Particles, Pin
 from .records import ConstraintState, Contact, Event, Near, NearLink, RayHit, Report
 from .scenes import catalogue, check, prefabs, schema
-from .simulation import Simulation, open, overlays
+from .pictures import overlays
+from .simulation import Simulation, open
 
 __all__ = [
     "open", "from_arrays", "batch", "check", "catalogue", "prefabs", "schema", "overlays", "simd",

@@ -1,0 +1,74 @@
+"""Pictures of a simulation."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import TYPE_CHECKING, Any, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from .errors import ArgumentError
+from .state import State
+
+if TYPE_CHECKING:
+    from .notebook import Animation
+
+
+class Pictures(State):
+    """Pictures, films and the player of a notebook."""
+
+    def draw(self, width: int | None = None, height: int | None = None, overlays: Sequence[str] = ()) -> npt.NDArray[np.uint8]:
+        """A picture, (height, width, 3): red, green and blue. ``overlays``: names of ``sinew.overlays()``."""
+        return self._core.pixels(*self._view(width, height, overlays))
+
+    def _repr_png_(self) -> bytes:
+        return self._core.png(*self._view())
+
+    def play(self, seconds: float | None = None, width: int | None = None, height: int | None = None) -> Animation:
+        """In a notebook, the scene from its start, moving, to be dragged with the pointer; it pauses after ``seconds``,
+        or the scene's ``duration``, unless somebody holds it. It runs in the page by itself, without a network."""
+        from .notebook import Animation
+
+        return Animation(self._self, self.duration if seconds is None else seconds, self._view(width, height)[:2])
+
+    def save_picture(self, path: str | os.PathLike[str], width: int | None = None, height: int | None = None,
+                     overlays: Sequence[str] = ()) -> None:
+        """Writes a picture: .png, .svg or .pdf."""
+        from .films import film
+
+        film(self._self, path, None, None, self._view(width, height, overlays))
+
+    def save_film(self, path: str | os.PathLike[str], seconds: float, fps: float | None = None, width: int | None = None,
+                  height: int | None = None, overlays: Sequence[str] = ()) -> None:
+        """Steps for so many seconds and writes a film of it: .gif, .mp4 or .webp. Needs ffmpeg."""
+        from .films import film
+
+        film(self._self, path, seconds, fps, self._view(width, height, overlays))
+
+    def _view(self, width: int | None = None, height: int | None = None, overlays: Sequence[str] = ()) -> tuple[int, int, int]:
+        """Sides in pixels and bits of overlays. One side without the other keeps the proportions."""
+        across, down = self.size
+        if width is None:
+            width = across if height is None else max(1, round(height * across / down))
+        if height is None:
+            height = down if width == across else max(1, round(width * down / across))
+        if not (1 <= width <= 16384 and 1 <= height <= 16384):
+            raise ArgumentError(f"the sides of a picture are 1 to 16384 pixels, not {width} x {height}")
+        return width, height, _overlay_bits(overlays)
+
+
+def overlays() -> list[str]:
+    """Names of what a picture can show besides: tensions, velocities, ..."""
+    return [overlay["name"] for overlay in json.loads(_core.describe("overlays"))]
+
+
+def _overlay_bits(names: Sequence[str]) -> int:
+    known = overlays()
+    names = [names] if isinstance(names, str) else names
+    for name in names:
+        if name not in known:
+            raise ArgumentError(f"no overlay is called {name!r}; there are {', '.join(known)}")
+    return sum(1 << known.index(name) for name in set(names))
