@@ -256,14 +256,19 @@ sinew_status sinew_player_picture_text(sinew_player player, uint32_t index, cons
     });
 }
 
-/// A split view shows the images of both panes, which are the same.
+/// A split view shows the images of its first pane, then those of the next: a mode may have others.
 sinew_status sinew_player_picture_image(sinew_player player, uint32_t index, const char** name) {
     if (!name) return null_argument();
-    return with(player, [&](const Player& known) {
-        const auto& images = known.play->session().images();
-        if (images.empty() || index >= images.size() * known.play->pane_count())
-            return fail(SINEW_NOT_FOUND, "there are fewer images");
-        *name = images[index % images.size()].first.c_str();
+    return with(player, [&](Player& known) {
+        std::size_t left = index;
+        const char* found = nullptr;
+        known.play->each_pane([&] {
+            const auto& images = known.play->session().images();
+            if (!found && left < images.size()) found = images[left].first.c_str();
+            left -= std::min(left, images.size());
+        });
+        if (!found) return fail(SINEW_NOT_FOUND, "there are fewer images");
+        *name = found;
         return SINEW_OK;
     });
 }

@@ -419,7 +419,7 @@ export interface Player {
 
     /** Size of the picture in pixels, and pixels per nominal pixel (devicePixelRatio). */
     resize(width: number, height: number, density?: number): void;
-    /** Advances real time, in seconds, and takes the steps due. */
+    /** Advances real time, in seconds, and takes the steps due. Negative times count as 0. */
     advance(seconds: number): void;
     draw(): Picture;
 

@@ -52,7 +52,8 @@ export class Player {
     }
 
     resize(width, height, density = 1) { this.call("sinew_player_resize", width, height, density); }
-    advance(seconds) { this.call("sinew_player_advance", seconds); }
+    /** The first frame of a page may be asked for with a time before now: it counts as none. */
+    advance(seconds) { this.call("sinew_player_advance", Math.max(seconds, 0)); }
 
     draw() {
         const at = this.ask("sinew_player_draw");

@@ -34,6 +34,19 @@ test("the example of the README runs and prints what it says", { skip: !hasNpm }
     assert.equal(execFileSync("node", ["example.js"], { cwd: folder, encoding: "utf8" }), printed);
 });
 
+test("every example of the README that prints says true", async () => {
+    const readme = await readFile(path.join(packageFolder, "README.md"), "utf8");
+    const examples = [...readme.matchAll(/```js\n([^]*?)```/g)].map(([, code]) => code).filter((code) => code.includes("console.log"));
+    assert.ok(examples.length >= 5);
+    for (const code of examples) {
+        const said = [];
+        const own = code.replace('import { load } from "sinew";', `import { load } from ${JSON.stringify(new URL("../index.js", import.meta.url).href)};`).replaceAll("console.log", "globalThis.said");
+        globalThis.said = (...words) => said.push(...words);
+        await import(`data:text/javascript,${encodeURIComponent(own)}`);
+        assert.ok(said.length > 0 && said.every((word) => word === true || word === 101), `${said}\n${code}`);
+    }
+});
+
 // The goal is 250 KB; docs/measured/web.md tells what weighs how much. The bound is what was reached, and 1 %.
 test("the module does not grow", () => {
     const { length } = brotliCompressSync(moduleBytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } });

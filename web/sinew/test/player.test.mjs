@@ -172,3 +172,24 @@ test("fingers drag and pinch", () => {
     player.touch(2, "up", 50, 50);
     player.touch(1, "up", 300, 200);
 });
+
+test("a negative time counts as none: the first frame of a page may be asked for with a time before now", () => {
+    const player = engine.play({ sinew: 1, world: { gravity: [0, -9.81] }, figures: [{ prefab: "rope", angle: 60 }] });
+    const hash = player.hash();
+    for (const seconds of [-1, -1e-9, -Infinity, 0]) player.advance(seconds);
+    assert.equal(player.hash(), hash);
+    player.advance(0.1);
+    assert.notEqual(player.hash(), hash);
+    player.dispose();
+});
+
+test("a split view has the images of both modes, also where they differ", async () => {
+    const rope = (await catalogue()).find(({ name }) => name === "rope"); // its ball is an image in physical mode alone
+    const player = engine.play(rope.text, rope);
+    player.resize(400, 400);
+    const [alone] = [player.draw().images];
+    player.do("split");
+    assert.deepEqual(player.draw().images, alone);
+    assert.ok(alone.length > 0);
+    player.dispose();
+});
