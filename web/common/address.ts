@@ -3,6 +3,7 @@
 export interface Address {
     scene?: string;  // name in the catalogue
     text?: string;   // of a scene
+    name?: string;   // of the file that the text came from
     pairs: string[]; // "solver.substeps=16"
 }
 
@@ -18,6 +19,7 @@ export async function readAddress(fragment: string): Promise<Address> {
         if (!pair.includes("=")) address.scene ??= pair;
         else if (key === "scene") address.scene = value;
         else if (key === "z") address.text = await inflated(value);
+        else if (key === "name") address.name = value;
         else address.pairs.push(pair);
     }
     return address;
@@ -25,7 +27,8 @@ export async function readAddress(fragment: string): Promise<Address> {
 
 export async function writeAddress(address: Address): Promise<string> {
     const first = address.text !== undefined ? [`z=${await deflated(address.text)}`] : address.scene ? [`scene=${quoted(address.scene)}`] : [];
-    return `#${[...first, ...address.pairs.map(quoted)].join("&")}`;
+    const name = address.text !== undefined && address.name ? [`name=${quoted(address.name)}`] : [];
+    return `#${[...first, ...name, ...address.pairs.map(quoted)].join("&")}`;
 }
 
 /** Base64url of the text's raw deflate stream. */

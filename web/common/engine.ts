@@ -51,6 +51,13 @@ export const usefulThreads = (): number => Math.min(Math.max((navigator.hardware
 
 /** Several threads need a page that is cross-origin isolated; elsewhere the engine has one. */
 export async function loadEngine(threads = 1): Promise<Loaded> {
-    const [engine, scenes] = await Promise.all([load(undefined, { threads }).then((engine) => loadFloat(engine)), catalogue()]);
+    const [engine, scenes] = await Promise.all([load(undefined, { threads }), catalogue()]);
     return { engine, scenes, assets: new Assets(scenes) };
 }
+
+/** Loads the module of float worlds if a scene, or a pair of an address, asks for them. */
+export async function provide(engine: Engine, text: string, pairs: string[] = []): Promise<void> {
+    if (asksForFloat(text) || pairs.some((pair) => /^(solver\.)?precision=float$/.test(pair))) await loadFloat(engine);
+}
+
+export const asksForFloat = (text: string): boolean => /"precision"\s*:\s*"float"/.test(text);

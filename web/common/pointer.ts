@@ -1,5 +1,8 @@
 import type { Button, Player } from "../sinew/index.js";
 
+/** What a pointer moves: a player, or a program of a lesson. */
+export type Hands = Pick<Player, "pointerMove" | "pointerDown" | "pointerUp" | "pointerLeave" | "touch" | "wheel" | "zoom">;
+
 const buttons: Button[] = ["left", "middle", "right"];
 const step = { fine: 2, usual: 10, coarse: 50 }; // CSS pixels an arrow key moves the pointer by
 
@@ -8,7 +11,7 @@ export class Pointer {
     /** Position of the keyboard's pointer in CSS pixels; null while it is not in use. */
     cross: { x: number; y: number; pressed: boolean } | null = null;
 
-    constructor(private readonly canvas: HTMLCanvasElement, private readonly player: () => Player, private readonly wake: () => void) {
+    constructor(private readonly canvas: HTMLCanvasElement, private readonly player: () => Hands, private readonly wake: () => void, takesWheel = true) {
         const on = <K extends keyof HTMLElementEventMap>(name: K, handle: (event: HTMLElementEventMap[K]) => void, passive = false): void =>
             canvas.addEventListener(name, (event) => (handle(event), wake()), { passive });
         on("pointerdown", (event) => this.down(event));
@@ -16,7 +19,7 @@ export class Pointer {
         on("pointerup", (event) => this.up(event));
         on("pointercancel", (event) => this.up(event));
         on("pointerleave", (event) => event.pointerType !== "touch" && this.player().pointerLeave());
-        on("wheel", (event) => this.wheel(event));
+        if (takesWheel) on("wheel", (event) => this.wheel(event));
         on("contextmenu", (event) => event.preventDefault());
         on("keydown", (event) => this.key(event));
         on("blur", () => this.leave());

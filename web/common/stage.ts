@@ -28,11 +28,11 @@ export class Stage {
     private readonly observers: (ResizeObserver | IntersectionObserver)[];
     private readonly onvisibility = (): void => this.wake();
 
-    private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private readonly assets: Assets, text: string) {
+    private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private readonly assets: Assets, text: string, takesWheel: boolean) {
         this.context = context2d(canvas);
         this.painter = new Canvas2DPainter(this.context, { font: "'Inter Variable', system-ui, sans-serif" });
         this.loadImages(text);
-        this.pointer = new Pointer(canvas, () => player, () => this.wake());
+        this.pointer = new Pointer(canvas, () => player, () => this.wake(), takesWheel);
         this.observers = [new ResizeObserver(() => this.resize()), new IntersectionObserver((entries) => {
             this.isVisible = entries.at(-1)?.isIntersecting ?? true;
             if (this.isVisible) this.wake();
@@ -42,9 +42,10 @@ export class Stage {
         this.resize();
     }
 
-    static open(canvas: HTMLCanvasElement, engine: Engine, assets: Assets, scene: string, options: OpenOptions = {}): Stage {
+    /** Without `takesWheel` the wheel scrolls the page. */
+    static open(canvas: HTMLCanvasElement, engine: Engine, assets: Assets, scene: string, options: OpenOptions = {}, takesWheel = true): Stage {
         const player = engine.play(scene, { ...assets.optionsOf(scene), ...options });
-        return new Stage(canvas, engine, player, assets, scene);
+        return new Stage(canvas, engine, player, assets, scene, takesWheel);
     }
 
     /** Opens another scene in the same player; throws SceneErrors and keeps the old one. */

@@ -2,135 +2,218 @@ import { writeAddress } from "../common/address.js";
 import { el, number } from "../common/dom.js";
 import type { Loaded } from "../common/engine.js";
 import { icon } from "../common/icons.js";
-import { Stage } from "../common/stage.js";
-import { theme } from "../common/theme.js";
-import type { Lesson, Slider } from "./lesson.js";
-import { essence, markedLines, sceneText } from "./scene_text.js";
+import { CodeBox } from "./code_box.js";
+import { filled, isProgram, states, textOf, withValue, type Figure, type Live, type Slider, type Ui } from "./lesson.js";
+import { bestOf, isSolved, markSolved } from "./progress.js";
+import { ProgramRun, SceneRun, type Run } from "./runs.js";
+import { sceneText } from "./scene_text.js";
+import type { FigureText } from "./text/text.js";
+import { html, react } from "./words.js";
 
-const readingEvery = 120; // milliseconds
-const letterWidth = 7.85; // pixels of a letter of code
-const narrowest = 40;     // letters of a line
+const readingEvery = 120;    // milliseconds
+const letterWidth = 7.85;    // pixels of a letter of code
+const narrowest = 40;        // letters of a line
+const gutter = 40;           // pixels of the numbers of lines
+const heldFor = 2000;        // milliseconds that a figure must stay as a challenge of rest wants it
 
-/** A live figure with its slider, its reading and the lines that make it. */
+/** A live figure with its slider, its reading, its challenge, and the text that makes it, to be changed. */
 export class FigureView {
-    private readonly canvas: HTMLCanvasElement;
+    readonly canvas: HTMLCanvasElement;
     private readonly range: HTMLInputElement;
     private readonly value = el("output", {});
     private readonly reading = el("p", { class: "reading", "aria-live": "off" });
-    private readonly code = el("code", {});
-    private readonly link = el("a", { class: "button quiet" }, "open in the playground");
+    private readonly bars: HTMLElement[];
     private readonly pause: HTMLButtonElement;
+    private readonly challenge: HTMLElement | null;
+    private readonly box: CodeBox;
     readonly root: HTMLElement;
-    private stage: Stage | null = null;
+    private run: Run | null = null;
     private readAt = 0;
+    private fulfilledSince = 0;
+    private isAwaited = false;
+    private columns = 84;
 
-    constructor(private readonly loaded: Loaded, private readonly lesson: Lesson) {
-        const { figure } = lesson, { slider } = figure;
-        this.canvas = el("canvas", { tabindex: 0, role: "application", "aria-label": `Figure: ${lesson.title}. Arrow keys move a pointer, Enter presses and lets go.` });
-        this.range = el("input", { type: "range", id: "slider", ...ends(slider), value: shown(slider, slider.value), oninput: () => this.changed() });
+    constructor(private readonly id: string, private readonly figure: Figure, private readonly text: FigureText, private readonly ui: Ui, terms: Record<string, string>, title: string, private readonly loaded: Loaded | null) {
+        const { slider } = figure, isScene = !isProgram(figure);
+        this.canvas = el("canvas", { tabindex: 0, role: "application", "aria-label": filled(ui.figure, { title }) });
+        this.range = el("input", { type: "range", id: `slider-${id}`, class: "slider", ...ends(slider), value: shown(slider, slider.value), oninput: () => this.changed() });
         this.pause = el("button", { type: "button", class: "quiet", onclick: () => this.togglePause() });
+        this.bars = (text.bars ?? []).map(() => el("i"));
+        this.challenge = text.challenge ? el("p", { class: "challenge" }) : null;
+        this.box = new CodeBox(isScene ? "json" : "javascript", ui, (edited) => this.begun(edited), () => this.start(this.own(this.current)));
         this.root = el("figure", { class: "live" },
             el("div", { class: "canvas" }, this.canvas),
             el("div", { class: "controls" },
-                el("label", { for: "slider" }, slider.label), this.range, this.value,
-                el("button", { type: "button", class: "quiet", "aria-label": "restart", title: "restart", onclick: () => (this.stage?.player.restart(), this.stage?.wake()) }, icon("restart")),
+                el("label", { for: `slider-${id}` }, text.slider), this.range, this.value,
+                isScene && figure.cuts && this.knife(),
+                el("button", { type: "button", class: "quiet", "aria-label": ui.restart, title: ui.restart, onclick: () => this.run?.restart() }, icon("restart")),
                 this.pause),
-            this.reading,
-            el("figcaption", {}, el("b", {}, "Try: "), figure.task),
-            el("details", { class: "lines", open: true }, el("summary", {}, "The lines that make it"), el("pre", { tabindex: 0, "aria-label": "Code" }, this.code), this.link));
+            this.bars.length > 0 && el("div", { class: "bars" }, ...this.bars.map((bar, i) => el("div", {}, el("span", {}, text.bars![i]!), el("div", { class: "bar" }, bar)))),
+            text.reading !== undefined && this.reading,
+            caption(ui.try, html(text.task, terms)),
+            this.challenge, this.box.root);
         this.showPause(false);
-        this.showLines();
+        this.showChallenge();
+        this.showText();
     }
 
     begin(): void {
-        const { figure } = this.lesson, { engine, assets } = this.loaded;
-        this.stage = Stage.open(this.canvas, engine, assets, this.text());
-        this.stage.player.setTheme(theme());
-        if (figure.split) this.stage.player.do("split");
-        this.stage.onframe = () => this.afterFrame();
-        this.showLines(); // now that their width is known
-        this.stage.wake();
+        const { figure } = this;
+        this.columns = Math.max(Math.floor((this.root.clientWidth - 32 - gutter) / letterWidth), narrowest);
+        this.showText();
+        this.run = isProgram(figure) ? new ProgramRun(this.canvas, figure) : new SceneRun(this.canvas, figure, this.loaded!);
+        this.run.onframe = () => this.afterFrame();
+        this.run.onproblems = (problems) => {
+            if (problems.length > 0) this.isAwaited = false;
+            this.box.tell(problems.map((problem) => (problem === "too long" ? { line: 0, message: this.ui.tooLong } : problem)));
+        };
+        this.run.open(this.box.text);
+        this.box.begin();
     }
 
     end(): void {
-        this.stage?.dispose();
-        this.stage = null;
+        this.box.end();
+        this.run?.dispose();
+        this.run = null;
     }
 
     setTheme(): void {
-        this.stage?.player.setTheme(theme());
-        this.stage?.wake();
+        this.run?.setTheme();
     }
 
-    get player(): Stage["player"] | undefined {
-        return this.stage?.player;
+    /** For the console and the tests: what runs, its text, its numbers. */
+    get state(): { steps: number; live: Live; text: string; isPaused: boolean } {
+        return { steps: this.run?.steps ?? 0, live: this.run?.live ?? {}, text: this.box.text, isPaused: this.run?.isPaused ?? true };
+    }
+    get player(): unknown {
+        return this.run instanceof SceneRun ? this.run.stage?.player : undefined;
+    }
+    /** Stands still after so many steps from the start. */
+    standStill(steps: number): void {
+        this.run?.standStill(steps);
+        this.showPause(true);
     }
 
     private get current(): number {
-        return meant(this.lesson.figure.slider, Number(this.range.value));
+        return meant(this.figure.slider, Number(this.range.value));
     }
 
-    private text(): string {
-        return sceneText(this.lesson.figure.scene(this.current));
+    private own(value: number): string {
+        return textOf(this.figure, value, this.text, (scene) => sceneText(scene, this.columns));
+    }
+
+    /** Starts a text that the reader wants to see running: the figure comes into sight once it does. */
+    private begun(text: string): void {
+        this.isAwaited = true;
+        this.start(text);
+    }
+
+    private start(text: string): void {
+        this.fulfilledSince = 0;
+        this.range.disabled = this.box.isEdited && !(isProgram(this.figure) && states(text, this.figure.sets));
+        this.run?.open(text);
+        this.linkTo(text);
     }
 
     private changed(): void {
-        this.showLines();
-        const { stage } = this;
-        if (!stage) return;
-        stage.become(this.text());
-        if (this.lesson.figure.restarts) stage.player.restart();
-        stage.wake();
+        const { figure, run, current } = this;
+        this.fulfilledSince = 0;
+        if (this.box.isEdited && isProgram(figure)) {
+            this.showValue();
+            run?.become(withValue(this.box.text, figure.sets, current), current);
+            return;
+        }
+        this.showText();
+        run?.become(this.box.text, current);
     }
 
-    private showLines(): void {
-        const { figure } = this.lesson, { slider } = figure, { current } = this;
-        const elsewhere = current === slider.high ? slider.low : slider.high;
-        const lines = (value: number): string => figure.code?.(value) ?? sceneText(essence(figure.scene(value)), this.columns);
-        this.code.replaceChildren(...markedLines(lines(current), lines(elsewhere)).map(({ line, isMarked }) => el(isMarked ? "mark" : "span", {}, `${line}\n`)));
-        this.value.textContent = slider.words ? slider.words(current) : `${number(current)}${slider.unit === "°" ? "°" : slider.unit ? ` ${slider.unit}` : ""}`;
+    private showText(): void {
+        const { slider } = this.figure, elsewhere = this.current === slider.high ? slider.low : slider.high;
+        const text = this.own(this.current);
+        this.box.show(text, this.own(elsewhere));
+        this.linkTo(text);
+        this.showValue();
+    }
+
+    private showValue(): void {
+        const { slider } = this.figure, { current } = this;
+        this.value.textContent = slider.words ? slider.words(current, this.text.choices ?? []) : `${number(current)}${slider.unit === "°" ? "°" : slider.unit ? ` ${slider.unit}` : ""}`;
         this.range.setAttribute("aria-valuetext", this.value.textContent);
         const { min, max, value } = this.range;
         this.range.style.setProperty("--share", `${(100 * (Number(value) - Number(min))) / (Number(max) - Number(min))}%`);
-        void writeAddress({ text: this.text(), pairs: [] }).then((fragment) => (this.link.href = `../${fragment}`));
     }
 
-    /** Characters that fit in a line of code. */
-    private get columns(): number {
-        const { clientWidth } = this.code.parentElement!;
-        return Math.max(Math.floor(clientWidth / letterWidth), narrowest);
+    private linkTo(text: string): void {
+        if (!isProgram(this.figure)) void writeAddress({ text, pairs: [] }).then((fragment) => (this.box.link.href = `../${fragment}`));
     }
 
     private afterFrame(): void {
-        const { stage, lesson: { figure } } = this, now = performance.now();
-        if (!stage || now - this.readAt < readingEvery) return;
+        const { run, figure, text } = this, now = performance.now();
+        if (!run || now - this.readAt < readingEvery) return;
         this.readAt = now;
-        const { simulation } = stage.player;
-        if (figure.reading) this.reading.textContent = figure.reading(simulation, this.current, figure.split ? stage.player.pane(1) : undefined);
-        if (figure.repeats && simulation.report().seconds > figure.repeats && !stage.player.state().isHolding) stage.player.restart();
+        if (this.isAwaited) this.canvas.scrollIntoView({ block: "nearest", behavior: "smooth" });
+        this.isAwaited = false;
+        const { live } = run;
+        if (text.reading !== undefined) this.reading.textContent = filled(figure.reading?.(live, text) ?? "", { hash: run.hash });
+        figure.bars?.(live).forEach((share, i) => this.bars[i]?.style.setProperty("width", `${100 * Math.min(Math.max(share, 0), 1)}%`));
+        react(document, live);
+        this.judge(live, now);
+        if (figure.repeats && run.seconds > figure.repeats && !run.isHolding && !run.isPaused) run.restart();
+    }
+
+    private judge(live: Live, now: number): void {
+        const { figure } = this;
+        if (!this.challenge || !figure.challenge) return;
+        if (!figure.challenge(live, this.current)) this.fulfilledSince = 0;
+        else if (this.fulfilledSince === 0) this.fulfilledSince = now;
+        const wanted = figure.rests ? heldFor : 0;
+        if (this.fulfilledSince === 0 || now - this.fulfilledSince < wanted) return;
+        markSolved(this.id, this.current, figure.isFewestBest ?? false);
+        this.showChallenge();
+    }
+
+    private showChallenge(): void {
+        if (!this.challenge) return;
+        const { ui, id } = this, best = bestOf(id), solved = isSolved(id);
+        this.challenge.classList.toggle("solved", solved);
+        this.challenge.replaceChildren(el("b", {}, `${solved ? "✓" : "☐"} ${ui.challenge}`), ` ${this.text.challenge} `,
+            solved ? el("em", {}, best === undefined ? ui.solved : `${ui.solved}, ${filled(ui.best, { value: number(best) })}`) : "");
+    }
+
+    private knife(): HTMLElement {
+        const button = el("button", { type: "button", class: "quiet", "aria-label": this.ui.knife, title: this.ui.knife, "aria-pressed": "false", onclick: () => {
+            const cuts = button.getAttribute("aria-pressed") === "false";
+            button.setAttribute("aria-pressed", String(cuts));
+            this.run?.setTool(cuts ? "cut" : "grab");
+        } }, icon("cut"));
+        return button;
     }
 
     private togglePause(): void {
-        if (!this.stage) return;
-        const paused = !this.stage.player.state().isPaused;
-        this.stage.player.pause(paused);
-        this.showPause(paused);
-        this.stage.wake();
+        if (!this.run) return;
+        this.run.pause(!this.run.isPaused);
+        this.showPause(this.run.isPaused);
     }
 
     private showPause(paused: boolean): void {
-        const word = paused ? "go on" : "pause";
+        const word = paused ? this.ui.goOn : this.ui.pause;
         this.pause.replaceChildren(icon(paused ? "play" : "pause"));
         this.pause.title = word;
         this.pause.setAttribute("aria-label", word);
     }
 }
 
+function caption(word: string, html: string): HTMLElement {
+    const text = el("span");
+    text.innerHTML = html;
+    return el("figcaption", {}, el("b", {}, `${word} `), text);
+}
+
 /** A logarithmic slider moves through exponents. */
 const shown = ({ logarithmic }: Slider, value: number): number => (logarithmic ? Math.log10(value) : value);
 
 function meant({ logarithmic, step, low, high }: Slider, position: number): number {
-    if (!logarithmic) return position;
+    if (!logarithmic) return Number(position.toFixed(6));
     const twoDigits = Number((10 ** position).toPrecision(2));
     return Math.min(Math.max(Number((Math.round(twoDigits / step) * step).toFixed(6)), low), high);
 }

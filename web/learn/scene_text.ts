@@ -38,12 +38,6 @@ function oneLine(value: unknown): string {
     return JSON.stringify(value);
 }
 
-/** The same without colours and the camera: the lines that make the figure. */
-export function essence(scene: Scene): Scene {
-    const { view: _view, traces: _traces, sinew: _sinew, ...rest } = scene;
-    return JSON.parse(JSON.stringify(rest), (key, value) => (key === "looks" || key === "thickness" || key === "pieces" ? undefined : value)) as Scene;
-}
-
 /** Lines of a text, with a mark on those that differ from another text. */
 export function markedLines(text: string, other: string): { line: string; isMarked: boolean }[] {
     const others = new Set(other.split("\n"));

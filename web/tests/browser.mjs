@@ -23,8 +23,10 @@ async function serve(root, headers) {
         try {
             assert.ok(name.startsWith(base));
             const file = path.join(root, path.normalize(name.slice(base.length)));
-            const body = pathname === base && !existsSync(file) ? "<!doctype html><link rel=icon href=data:,>" : await readFile(file);
-            response.writeHead(200, { "content-type": types[path.extname(name)] ?? "application/octet-stream", ...headers }).end(body);
+            const isCompressed = /\bbr\b/.test(request.headers["accept-encoding"] ?? "") && existsSync(`${file}.br`);
+            const body = pathname === base && !existsSync(file) ? "<!doctype html><link rel=icon href=data:,>" : await readFile(isCompressed ? `${file}.br` : file);
+            const type = types[path.extname(name)] ?? "application/octet-stream";
+            response.writeHead(200, { "content-type": type, ...(isCompressed ? { "content-encoding": "br" } : {}), ...headers }).end(body);
         } catch {
             response.writeHead(404).end();
         }
@@ -70,6 +72,11 @@ export async function visit(root = dist, headers = {}) {
 /** Waits until the player of a page runs a scene. */
 export async function playing(page) {
     await page.waitForFunction(() => window.sinew?.stage?.player.state().step > 3, null, { timeout: 60_000 });
+}
+
+/** Waits until every figure of a lesson runs. */
+export async function moving(page) {
+    await page.waitForFunction(() => window.sinew?.views?.length > 0 && window.sinew.views.every((view) => view.state.steps > 3), null, { timeout: 60_000 });
 }
 
 /** Pixel of a particle on the page. */

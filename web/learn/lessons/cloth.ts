@@ -1,10 +1,8 @@
-import { stretch, type Lesson } from "../lesson.js";
+import { stretchOf, stretchReading, type Lesson } from "../lesson.js";
 
 export const cloth: Lesson = {
     id: "cloth",
-    title: "Cloth",
-    before: [`A cloth is a rope in two directions: a grid of points, threads along and across. Diagonals keep the cells from folding flat, as in the box.`],
-    figure: {
+    figures: [{
         scene: (value) => ({
             sinew: 1,
             dimension: 3,
@@ -13,14 +11,10 @@ export const cloth: Lesson = {
             figures: [{ prefab: "cloth", name: "cloth", at: [0, 1.95, -0.4], columns: value, rows: value, spacing: Number((1.4 / (value - 1)).toPrecision(6)), plane: "horizontal",
                 pins: "corners", mass: 0.4, drawn: "fill", thickness: 0.012, looks: { cloth: { color: "#f2b134", fill: "#d9344a" } } }],
         }),
-        slider: { label: "threads", low: 3, high: 36, step: 1, value: 12 },
-        restarts: true,
-        reading: (simulation) => `${simulation.particleCount} points, ${simulation.constraintCount} constraints; ${stretch(simulation)}`,
-        task: "Drag a corner; drag beside the cloth to walk around it; the right mouse button cuts. How many threads until it looks like cloth?",
-    },
-    after: [
-        `With twice as many threads there are four times as many points, and news has twice as far to go. This is where simple solvers give up: a fine cloth sags like chewing gum.
-         Sinew ties each point with a <b>tether</b> to the corners it hangs on, not longer than the way along the threads. That costs little and holds at once.`,
-    ],
-    source: "Provot 1995; Kim, Chentanez and Müller-Fischer: Long Range Attachments, 2012.",
+        slider: { low: 3, high: 36, step: 1, value: 12 },
+        restarts: true, cuts: true,
+        live: (simulation) => ({ points: simulation.particleCount, rules: simulation.constraintCount, ...stretchOf(simulation) }),
+        reading: ({ points = 0, rules = 0, ...live }, text) =>
+            stretchReading(live, text).replace("{count}", `${points}`).replace("{rules}", `${rules}`),
+    }],
 };

@@ -1,6 +1,7 @@
 import type { Lesson } from "../lesson.js";
 import { bezier } from "./bezier.js";
 import { box } from "./box.js";
+import { capstone } from "./capstone.js";
 import { chain } from "./chain.js";
 import { cloth } from "./cloth.js";
 import { compliance } from "./compliance.js";
@@ -19,5 +20,5 @@ import { triangle } from "./triangle.js";
 
 /** THE list, in the order of reading. */
 export const lessons: Lesson[] = [
-    point, integrators, stick, split, triangle, box, iterations, substeps, chain, cloth, tearing, ragdoll, bezier, compliance, rope, swing, determinism,
+    point, stick, split, integrators, triangle, box, iterations, substeps, chain, cloth, tearing, ragdoll, bezier, compliance, rope, swing, determinism, capstone,
 ];
