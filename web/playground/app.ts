@@ -1,7 +1,7 @@
 import { SceneErrors, type CatalogueScene, type Engine } from "../sinew/index.js";
 import { readAddress, type Address } from "../common/address.js";
 import { announce, byId, debounced, el, words } from "../common/dom.js";
-import type { Assets } from "../common/engine.js";
+import { provide, type Assets } from "../common/engine.js";
 import { Stage } from "../common/stage.js";
 import { applyTheme, setTheme, theme } from "../common/theme.js";
 import { Films } from "./films.js";
@@ -11,7 +11,7 @@ import { helpDialog } from "./help.js";
 import { connectKeys } from "./keys.js";
 import { Menu } from "./menu.js";
 import { Panel } from "./panel.js";
-import { addressOf } from "./share.js";
+import { addressOf, both, unnamed } from "./share.js";
 import { TimeBar } from "./timebar.js";
 import { Toolbar } from "./toolbar.js";
 
@@ -40,7 +40,10 @@ export class App {
     private refreshedAt = 0;
 
     constructor(readonly engine: Engine, readonly scenes: CatalogueScene[], private readonly assets: Assets) {
-        this.gallery = new Gallery(scenes);
+        this.gallery = new Gallery(scenes, {
+            blank: () => void this.openText(blankScene, "new scene"),
+            file: () => this.chooseFile(),
+        });
         this.help = helpDialog(engine);
         new Menu([
             { name: "scenes", icon: "scenes", tip: "all scenes", href: "#" },
@@ -80,21 +83,27 @@ export class App {
         document.body.classList.remove("playing", "drawer");
         document.title = "Sinew playground";
         this.stage?.player.pause();
+        const hadFocus = byId("player").contains(document.activeElement) || document.activeElement === document.body;
         byId("player").hidden = true;
         this.gallery.show(true);
+        if (hadFocus && this.opened) this.gallery.focus(this.opened.name);
     }
 
-    private async open({ scene, text, pairs }: Address): Promise<void> {
+    private async open({ scene, text, name, pairs }: Address): Promise<void> {
         const known = this.scenes.find(({ name }) => name === scene);
         if (text === undefined && !known) throw new Error(`No scene is called "${scene}".`);
         const own = text ?? known!.text;
         const about = text === undefined ? known! : aboutOf(own);
-        this.show({ name: known?.name ?? "shared scene", text: own, isOfCatalogue: text === undefined, pairs, about: about.about, source: about.source });
+        const isSplit = pairs.includes(both), overrides = pairs.filter((pair) => pair !== both);
+        await provide(this.engine, own, overrides);
+        this.show({ name: text === undefined ? known!.name : name ?? unnamed, text: own, isOfCatalogue: text === undefined, pairs: overrides, about: about.about, source: about.source });
+        this.split(isSplit);
     }
 
     /** Opens a scene from a text that is not in the address: a file, the clipboard. */
     async openText(text: string, name: string): Promise<void> {
         try {
+            await provide(this.engine, text);
             this.show({ name: name.replace(/\.json$/, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) });
             await this.writeAddress();
         } catch (error) {
@@ -103,8 +112,10 @@ export class App {
     }
 
     private show(opened: Opened): void {
+        const fromGallery = byId("gallery").contains(document.activeElement);
         this.gallery.show(false);
         byId("player").hidden = false;
+        if (fromGallery) byId("stage").focus({ preventScroll: true }); // else the focus is lost with the card
         document.body.classList.add("playing");
         const options = { name: `${opened.name}.json`, overrides: opened.pairs };
         try {
@@ -150,9 +161,17 @@ export class App {
         this.panel!.showParameters(parameters);
     }
 
+    /** Shows both modes beside each other, or one. */
+    private split(on: boolean): void {
+        const { player } = this.stage!;
+        if (on === player.state().panes > 1) return;
+        player.do("split");
+        this.changed();
+    }
+
     private setMode(mode: string): void {
-        const player = this.stage!.player, isSplit = player.state().panes > 1;
-        if ((mode === "both") !== isSplit) player.do("split");
+        const { player } = this.stage!;
+        this.split(mode === "both");
         if (mode !== "both" && mode !== this.mode) player.do("mode");
         this.rescan();
         this.panel?.introduce(this.opened!.name, this.opened!.about, this.opened!.source, this.mode);
@@ -292,6 +311,18 @@ export class App {
         setTimeout(hide, 10_000);
     }
 }
+
+const blankScene = `{
+  "sinew": 1,
+  "about": "A room with nothing in it yet: draw a rope, a polygon or a cloth, spawn a figure, or write one here.",
+  "units": {"length": "px", "time": "s", "up": "-y"},
+  "view": {"size": [640, 480], "center": [320, 240], "height": 480},
+  "world": {"gravity": [0, 700], "bounds": {"box": [[10, 10], [630, 470]], "bounce": 0.4, "friction": 0.4}},
+  "figures": [
+    {"prefab": "box", "name": "box", "at": [280, 200], "width": 80, "height": 80, "braces": "one", "mass": 4, "thickness": 10}
+  ]
+}
+`;
 
 function aboutOf(text: string): { about: string; source: string } {
     const field = (name: string): string => new RegExp(`"${name}"\\s*:\\s*("(?:[^"\\\\]|\\\\.)*")`).exec(text)?.[1] ?? '""';

@@ -2,11 +2,13 @@ import "../common/base.css";
 import "./playground.css";
 import { announce, byId, el } from "../common/dom.js";
 import { loadEngine, usefulThreads } from "../common/engine.js";
+import { stayFresh } from "../common/fresh.js";
 import { workOffline } from "../common/offline.js";
 import { applyTheme } from "../common/theme.js";
 import { App } from "./app.js";
 
 applyTheme();
+stayFresh();
 workOffline("./sw.js");
 
 try {

@@ -6,10 +6,17 @@ import type { Opened } from "./app.js";
 /** The shortest address that leads to the scene as it is: a name and pairs where that says all, else the whole text. */
 export async function addressOf(engine: Engine, stage: Stage, opened: Opened, text: string): Promise<string> {
     const now = stage.player.sceneText();
-    const pairs = pairsTo(engine, stage, opened, now);
-    if (pairs) return writeAddress(opened.isOfCatalogue ? { scene: opened.name, pairs } : { text: opened.text, pairs });
-    return writeAddress({ text, pairs: [] });
+    const found = pairsTo(engine, stage, opened, now);
+    const isSplit = stage.player.state().panes > 1;
+    const pairs = isSplit ? [...(found ?? []).filter((pair) => !/^(solver\.)?mode=/.test(pair)), both] : found ?? [];
+    if (found && opened.isOfCatalogue) return writeAddress({ scene: opened.name, pairs });
+    return writeAddress({ text: found ? opened.text : text, name: opened.isOfCatalogue || opened.name === unnamed ? undefined : opened.name, pairs });
 }
+
+/** The pair of an address that shows both modes beside each other. */
+export const both = "mode=both";
+/** Name of a scene that an address holds without one. */
+export const unnamed = "shared scene";
 
 /** Pairs that make the scene as opened the scene as it is, if there are such. */
 function pairsTo(engine: Engine, stage: Stage, opened: Opened, now: string): string[] | null {

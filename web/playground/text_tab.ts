@@ -1,5 +1,6 @@
 import { SceneErrors, type Engine, type SceneError } from "../sinew/index.js";
 import { debounced, el } from "../common/dom.js";
+import { provide } from "../common/engine.js";
 import type { Stage } from "../common/stage.js";
 import type { SceneEditor } from "./editor.js";
 
@@ -54,6 +55,7 @@ export class TextTab {
         const editor = await this.editor, { text } = editor;
         if (text === this.shown) return;
         this.shown = text;
+        await provide(this.engine, text);
         const errors = this.take(text);
         editor.mark(errors);
         this.problems.replaceChildren(...errors.map((error) => this.problem(error, editor)));

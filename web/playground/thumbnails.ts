@@ -1,3 +1,4 @@
+import type { CatalogueScene } from "../sinew/index.js";
 import type { Order } from "./thumbnails.worker.js";
 
 /** Live pictures of scenes, stepped and painted by a worker, so that the page never waits for them. */
@@ -9,7 +10,8 @@ export class Thumbnails {
         for (const entry of entries) this.see(entry.target as HTMLCanvasElement, entry.isIntersecting);
     }, { rootMargin: "80px" });
 
-    constructor() {
+    constructor(scenes: CatalogueScene[]) {
+        this.send({ order: "begin", scenes });
         this.worker.addEventListener("message", ({ data }: MessageEvent<{ drawn: string }>) => {
             for (const [canvas, name] of this.names) if (name === data.drawn) canvas.classList.add("drawn");
         });

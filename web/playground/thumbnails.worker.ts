@@ -1,8 +1,9 @@
-import { Canvas2DPainter, type CatalogueScene, type Simulation } from "../sinew/index.js";
+import { Canvas2DPainter, load, type CatalogueScene, type Simulation } from "../sinew/index.js";
 import { context2d } from "../common/context.js";
-import { loadEngine } from "../common/engine.js";
+import { Assets, type Loaded } from "../common/engine.js";
 
 export type Order =
+    | { order: "begin"; scenes: CatalogueScene[] }
     | { order: "open"; name: string; canvas: OffscreenCanvas }
     | { order: "see"; name: string; visible: boolean }
     | { order: "prefer"; name: string }
@@ -29,10 +30,14 @@ const slice = 8; // milliseconds of work before the page gets its turn
 const tick = 33; // milliseconds between slices
 
 const thumbnails = new Map<string, Thumbnail>();
-const loading = loadEngine();
+let begin: (scenes: CatalogueScene[]) => void = () => {};
+/** The catalogue comes from the page, which has it already. */
+const loading: Promise<Loaded> = Promise.all([load(), new Promise<CatalogueScene[]>((resolve) => (begin = resolve))])
+    .then(([engine, scenes]) => ({ engine, scenes, assets: new Assets(scenes) }));
 let isRunning = false, isStill = false, isQueued = false, theme = "light", preferred = "";
 
 self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
+    if (data.order === "begin") begin(data.scenes);
     if (data.order === "open") open(data);
     if (data.order === "see") {
         const known = thumbnails.get(data.name);
