@@ -1,8 +1,11 @@
 #pragma once
 
+#include "sinew/prefab/obj.h"
 #include "sinew/scene/driver_section.h"
+#include "sinew/scene/fill_rule.h"
 #include "sinew/scene/world_section.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -61,6 +64,7 @@ struct PolygonShape {
         "A polygon without crossings (2D), by its corners or by a path of SVG; one with dents becomes several parts.";
     std::vector<Point> points;
     std::string path;
+    std::string fill_rule{fill_rules[0]};
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.points, Field{.name = "points", .help = "Corners in order, from \"at\"", .unit = unit::length});
@@ -68,7 +72,12 @@ struct PolygonShape {
               Field{.name = "path",
                     .help =
                         "In place of points: path of SVG (M L H V C S Q T A Z, absolute or relative) in coordinates "
-                        "of the scene from \"at\", y as \"units.up\" has it; each subpath is a solid of its own"});
+                        "of the scene from \"at\", y as \"units.up\" has it; a subpath may be a hole"});
+        visit(self.fill_rule,
+              Field{.name = "fill_rule",
+                    .help = "Rule of SVG that tells what is solid of a path with several subpaths: nonzero: a subpath "
+                            "inside another one is a hole if it goes round the other way; evenodd: every second one is",
+                    .choices = fill_rules});
     }
 };
 
@@ -92,17 +101,27 @@ struct ChainShape {
 
 struct MeshShape {
     static constexpr std::string_view name = "mesh";
-    static constexpr std::string_view about = "Triangles (3D), each solid behind.";
+    static constexpr std::string_view about =
+        "Triangles (3D), each solid behind, by their corners or from an OBJ file.";
     std::vector<Point> points;
     std::vector<std::array<int, 3>> triangles;
+    std::string file;
+    double unit_length = 1;
+    std::shared_ptr<const MeshModel> model{}; ///< content of the file, read by whoever opens the scene
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.points,
-              Field{.name = "points", .help = "Corners, from \"at\"", .unit = unit::length, .required = true});
+        visit(self.points, Field{.name = "points", .help = "Corners, from \"at\"", .unit = unit::length});
         visit(self.triangles, Field{.name = "triangles",
                                     .help = "Numbers of three corners each, counter-clockwise seen from the free side",
-                                    .low = 0,
-                                    .required = true});
+                                    .low = 0});
+        visit(self.file, Field{.name = "file",
+                               .help = "In place of points and triangles: OBJ file in the scene's folder, faces "
+                                       "counter-clockwise seen from the free side"});
+        visit(self.unit_length, Field{.name = "unit_length",
+                                      .help = "Length of one unit of the file",
+                                      .unit = unit::length,
+                                      .low = 1e-6,
+                                      .high = 1e6});
     }
 };
 

@@ -44,8 +44,8 @@ template <int D, class Real> struct ShapesOf {
     Shapes operator()(const PolygonShape& polygon) const {
         Shapes shapes;
         if constexpr (D == 2)
-            for (const auto& outline : outlines_of(polygon).outlines)
-                for (const auto& part : collide::convex_parts(outline.points)) {
+            for (const auto& [outline, holes] : solids_of(outlines_of(polygon).outlines, polygon.fill_rule).solids)
+                for (const auto& part : collide::convex_parts(outline, holes)) {
                     collide::Polygon<2, Real> convex;
                     for (const auto& corner : part) convex.corners.push_back(cast<Real>(corner));
                     shapes.push_back(convex);
@@ -66,8 +66,15 @@ template <int D, class Real> struct ShapesOf {
     Shapes operator()(const MeshShape& mesh) const {
         if constexpr (D == 3) {
             std::vector<Vector> corners;
-            for (const auto& point : mesh.points) corners.push_back(point.as<3, Real>());
             std::vector<std::array<std::uint32_t, 3>> triangles;
+            if (mesh.model) {
+                for (const auto& point : mesh.model->points) corners.push_back(cast<Real>(point * mesh.unit_length));
+                for (std::size_t i = 0; i < mesh.model->faces(); ++i)
+                    for (std::size_t k = 2; k < mesh.model->face(i).size(); ++k)
+                        triangles.push_back(
+                            {mesh.model->face(i)[0], mesh.model->face(i)[k - 1], mesh.model->face(i)[k]});
+            }
+            for (const auto& point : mesh.points) corners.push_back(point.as<3, Real>());
             for (const auto& [a, b, c] : mesh.triangles)
                 triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
             return {collide::Mesh<3, Real>(std::move(corners), std::move(triangles))};
@@ -133,14 +140,26 @@ struct ShapeCheck {
     void operator()(const CapsuleShape&) const {}
     void operator()(const BoxShape&) const {}
     void operator()(const PolygonShape& polygon) const {
-        for (const auto& [points, closed] : outlines(polygon, 3)) {
+        const auto path = outlines(polygon, 3);
+        for (const auto& [points, closed] : path)
             if (points.size() > max_corners)
-                return error(key_of(polygon), format_text("an outline of {} points; at most {} are allowed",
-                                                          points.size(), max_corners));
-            if (collide::convex_parts(points).empty())
+                return error(key_of(polygon), too_many(points.size()));
+            else if (collide::convex_parts(points).empty())
                 return error(key_of(polygon), "these corners enclose no area, or their edges cross",
                              "list at least three corners in order around the polygon");
+        const auto [solids, mistake] = solids_of(path, polygon.fill_rule);
+        if (!mistake.empty()) return error(key_of(polygon), mistake);
+        for (const auto& [outline, holes] : solids) {
+            std::size_t corners = outline.size();
+            for (const auto& hole : holes) corners += hole.size();
+            if (corners > max_corners) return error(key_of(polygon), too_many(corners));
+            if (collide::convex_parts(outline, holes).empty())
+                return error(key_of(polygon), "a hole touches the outline around it, or another hole",
+                             "let the outlines of a path lie apart");
         }
+    }
+    static std::string too_many(std::size_t points) {
+        return format_text("an outline of {} points; at most {} are allowed", points, max_corners);
     }
     void operator()(const ChainShape& chain) const {
         for (const auto& [points, closed] : outlines(chain, 2)) {
@@ -153,6 +172,13 @@ struct ShapeCheck {
     }
     void operator()(const MeshShape& mesh) const {
         expect_dimension(3, mesh.name);
+        if (!mesh.file.empty()) {
+            if (!mesh.points.empty() || !mesh.triangles.empty())
+                error("file", "a mesh has either points and triangles or a file, not both");
+            else if (mesh.model && mesh.model->faces() == 0)
+                error("file", "this file has no faces");
+            return;
+        }
         if (mesh.points.empty()) return error("points", "a mesh needs points, found none");
         if (mesh.triangles.empty()) return error("triangles", "a mesh needs triangles, found none");
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i)

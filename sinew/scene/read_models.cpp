@@ -18,21 +18,39 @@ ReadModel read_model(std::string_view text, std::string_view name, const Limits&
     return {std::make_shared<const MeshModel>(std::get<MeshModel>(std::move(read))), "", ""};
 }
 
-void read_models(Scene& scene, const ModelReader& reader, Document& document) {
-    std::map<std::string, ReadModel> known;
-    for (std::size_t i = 0; i < scene.figures.size(); ++i) {
-        auto* mesh = std::get_if<Mesh>(&scene.figures[i].made);
-        if (!mesh || mesh->file.empty()) continue;
-        const auto place = concat("/figures/", i, "/file");
-        if (!in_its_folder(mesh->file, place, "models/sail.obj", document)) continue;
-        const auto [found, fresh] = known.try_emplace(mesh->file);
-        if (fresh) found->second = reader(mesh->file, document.limits);
+namespace {
+
+/// Models by file, each read once.
+class Models {
+  public:
+    Models(const ModelReader& reader, Document& document) : reader_(reader), document_(document) {}
+
+    /// Model of the file that is named at a place; nothing after an error.
+    std::shared_ptr<const MeshModel> read(const std::string& file, const std::string& place) {
+        if (!in_its_folder(file, place, "models/sail.obj", document_)) return nullptr;
+        const auto [found, fresh] = known_.try_emplace(file);
+        if (fresh) found->second = reader_(file, document_.limits);
         const auto& [model, problem, help] = found->second;
-        if (model)
-            mesh->model = model;
-        else
-            document.error(place, problem, help);
+        if (!model) document_.error(place, problem, help);
+        return model;
     }
+
+  private:
+    const ModelReader& reader_;
+    Document& document_;
+    std::map<std::string, ReadModel> known_;
+};
+
+} // namespace
+
+void read_models(Scene& scene, const ModelReader& reader, Document& document) {
+    Models models(reader, document);
+    for (std::size_t i = 0; i < scene.figures.size(); ++i)
+        if (auto* mesh = std::get_if<Mesh>(&scene.figures[i].made); mesh && !mesh->file.empty())
+            if (auto model = models.read(mesh->file, concat("/figures/", i, "/file"))) mesh->model = std::move(model);
+    for (std::size_t i = 0; i < scene.colliders.size(); ++i)
+        if (auto* mesh = std::get_if<MeshShape>(&scene.colliders[i].shape); mesh && !mesh->file.empty())
+            if (auto model = models.read(mesh->file, concat("/colliders/", i, "/file"))) mesh->model = std::move(model);
 }
 
 } // namespace sinew
