@@ -20,8 +20,10 @@ template <int D, class Real> class LinkProjector {
   public:
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
               std::vector<char>& is_exact) {
-        links_.find(world, solver, takes_part, is_exact);
-        packs_.build(links_);
+        if (links_.find(world, solver, takes_part, is_exact))
+            packs_.build(links_);
+        else
+            packs_.set_active(links_);
         kernels_ = &kernels<D, Real>(solver.options.simd).links;
         is_current_ = false;
         is_marked_.assign(links_.components.size(), 0);
