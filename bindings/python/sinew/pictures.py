@@ -48,6 +48,17 @@ class Pictures(State):
 
         film(self._self, path, seconds, fps, self._view(width, height, overlays))
 
+    def save_frames(self, folder: str | os.PathLike[str], seconds: float, fps: float = 25, part: tuple[int, int] = (1, 1),
+                    width: int | None = None, height: int | None = None, overlays: Sequence[str] = ()) -> list[str]:
+        """Steps for so many seconds and writes frames, 000000.png and on, into a folder; returns their paths.
+
+        ``part`` (i, n) writes every n-th from the i-th on, i from 1: n processes, on any machines that see the folder,
+        render a film together. All parts have the same bits, so no seam shows.
+        """
+        from .films import frames
+
+        return frames(self._self, folder, seconds, fps, part, self._view(width, height, overlays))
+
     def _view(self, width: int | None = None, height: int | None = None, overlays: Sequence[str] = ()) -> tuple[int, int, int]:
         """Sides in pixels and bits of overlays. One side without the other keeps the proportions."""
         across, down = self.size

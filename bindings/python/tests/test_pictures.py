@@ -1,6 +1,6 @@
 """Pictures, films and tables."""
 
-import io
+import shutil
 import struct
 import subprocess
 
@@ -101,3 +101,23 @@ def test_history_is_that_of_reports():
     assert frame.kinetic.iloc[-1] == sim.report().kinetic
     with pytest.raises(ValueError, match="kinetic"):
         sim.history(1, "kinetics")
+
+
+def test_frames_rendered_in_parts_are_those_of_the_whole(tmp_path):
+    whole = sinew.open("ragdoll").save_frames(tmp_path / "whole", 0.5, 20, width=160)
+    for part in (3, 1, 2):
+        sinew.open("ragdoll").save_frames(tmp_path / "parts", 0.5, 20, (part, 3), width=160)
+    names = sorted(path.name for path in (tmp_path / "parts").iterdir())
+    assert names == [f"{i:06}.png" for i in range(10)] and len(whole) == 10
+    for name in names:
+        assert (tmp_path / "parts" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
+    for part in ((0, 3), (4, 3)):
+        with pytest.raises(ValueError):
+            sinew.open("ragdoll").save_frames(tmp_path, 1, 20, part)
+
+
+def test_a_film_is_saved(tmp_path):
+    if not shutil.which("ffmpeg"):
+        pytest.skip("there is no ffmpeg")
+    sinew.open("ragdoll").save_film(tmp_path / "film.gif", 0.2, width=80)
+    assert (tmp_path / "film.gif").read_bytes()[:6] == b"GIF89a"

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import ast
-import hashlib
 import json
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .. import _core, scenes
+from .. import scenes
 from ..errors import Error, SceneError
 from .case import Job, simulation_of
 from .design import Design, Variation, samples
 from .located import Mistakes, Node, Reader, Syntax, nearest
 from .measures import UnknownQuantity, overs, quantity
+from .spec import StudyError, StudyFile, key_of
 
 max_cases = 10_000_000
 _log = ("torn", "parted", "quarantined", "touched", "begin", "persist", "end", "hit")
@@ -24,23 +23,6 @@ def event_words() -> tuple[str, ...]:
     """Words of the log: the engine's own, and the events that a scene can have."""
     rules = scenes.schema()["properties"]["events"]["items"]["allOf"]
     return (*_log, *(word for rule in rules for word in rule.get("if", {}).get("required", [])))
-
-
-class StudyError(SceneError):
-    """A study file with mistakes."""
-
-
-@dataclass(frozen=True)
-class StudyFile:
-    """A checked study."""
-
-    path: Path
-    about: str
-    job: Job
-    design: Design
-    best: str  #: name of a measure; empty if there is none
-    wants_low: bool  #: the lowest is best
-    key: str  #: hash of all that results depend on
 
 
 def read(path: str | Path) -> StudyFile:
@@ -121,7 +103,7 @@ class _Checker:
             return None
         self.check_values(given, job, design)
         best, wants_low = self.best(given)
-        return StudyFile(self.path, self.word(given.get("about"), "", "/about"), job, design, best, wants_low, _key(job, design))
+        return StudyFile(self.path, self.word(given.get("about"), "", "/about"), job, design, best, wants_low, key_of(job, design))
 
     def design(self, given: dict[str, Node]) -> Design:
         sample = self.word(given.get("sample"), "grid", "/sample", samples)
@@ -315,13 +297,6 @@ class _Checker:
             is_path = mistake.column <= len(path)
             node = section.keys[path] if is_path else section.value[path]
             self.mistakes.at(node, mistake.message + ("" if is_path else f" for {json.dumps(value)}"), where, mistake.help)
-
-
-def _key(job: Job, design: Design) -> str:
-    """Hash of all that results depend on."""
-    plain = [_core.version, job._asdict(), {path: vars(v) for path, v in design.vary.items()},
-             {path: vars(v) for path, v in design.noise.items()}, design.sample, design.cases, design.repetitions, design.seed]
-    return hashlib.sha256(json.dumps(plain, sort_keys=True).encode()).hexdigest()[:16]
 
 
 __all__ = ["StudyError", "StudyFile", "read"]

@@ -9,7 +9,7 @@ from typing import Any, Sequence
 
 from ..errors import Error
 from .case import Row, simulation_of
-from .file import StudyFile
+from .spec import StudyFile
 from .results import Results
 
 _shown = 6  #: cases of a kind with a picture

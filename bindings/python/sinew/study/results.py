@@ -12,7 +12,7 @@ from typing import Any, Iterable, Iterator
 
 from ..errors import Error
 from .case import Row
-from .file import StudyFile
+from .spec import StudyFile
 
 
 class ResultsError(Error):

@@ -14,9 +14,10 @@ from typing import Any, Callable, Iterable, Iterator
 from .._core import hardware_threads
 
 from .case import Row, run_cases
-from .file import StudyFile, read
+from .file import read
 from .page import write_page
 from .results import Results, ResultsError, write_csv, write_parquet
+from .spec import StudyFile
 
 #: Real seconds that a block of cases should take: long beside the way to another process, short beside what kill -9 loses.
 _block_seconds = 0.5
