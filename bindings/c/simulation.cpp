@@ -1,6 +1,7 @@
 #include "bindings/c/simulation.h"
 
 #include "sinew/scene/text.h"
+#include "sinew/session/session_snapshot.h"
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/version.h"
 #include "sinew/world/measure.h"
@@ -108,6 +109,32 @@ sinew_status sinew_check(const char* scene, const sinew_open_options* options) {
 sinew_status sinew_copy(sinew_simulation simulation, sinew_simulation* copy) {
     if (!copy) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) { return add(session, copy); });
+}
+
+sinew_status sinew_save(sinew_simulation simulation, const uint8_t** bytes, size_t* size) {
+    if (!bytes || !size) return null_argument();
+    return read(simulation, [&](Simulation& known, const Session& session) {
+        known.saved = save(session);
+        *bytes = reinterpret_cast<const uint8_t*>(known.saved.data());
+        *size = known.saved.size();
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_load(const uint8_t* bytes, size_t size, const sinew_open_options* options,
+                        sinew_simulation* simulation) {
+    if (!simulation || (!bytes && size > 0)) return null_argument();
+    SceneFile file;
+    if (const auto status = SceneFile::read("", options, file)) return status;
+    forget_diagnostics();
+    const auto open = [&](const std::string& scene, const std::string&) {
+        file.text = scene;
+        return file.open({});
+    };
+    SnapshotError error;
+    auto session = session_of(std::as_bytes(std::span(bytes, size)), open, error);
+    if (session) return add(std::move(*session), simulation);
+    return error.what.empty() ? SINEW_BAD_SCENE : fail(SINEW_BAD_ARGUMENT, error.text());
 }
 
 sinew_status sinew_close(sinew_simulation simulation) {

@@ -30,6 +30,7 @@ struct Simulation {
     std::size_t pane = 0;
     Drawn drawn{};
     std::string text{};                    ///< last text handed out
+    std::vector<std::byte> saved{};        ///< last snapshot handed out
     std::vector<std::uint32_t> rows{};     ///< last column of rows handed out
     std::vector<double> numbers{};         ///< last column of computed numbers handed out
     std::vector<sinew_contact> contacts{}; ///< as last counted

@@ -125,6 +125,15 @@ SINEW_API sinew_status sinew_check(const char* scene, const sinew_open_options* 
 SINEW_API sinew_status sinew_copy(sinew_simulation simulation, sinew_simulation* copy);
 SINEW_API sinew_status sinew_close(sinew_simulation simulation);
 
+/* The bytes of a simulation in its present state: scene, world, clock, events and grabs. They are valid until the next
+ * call with the simulation. */
+SINEW_API sinew_status sinew_save(sinew_simulation simulation, const uint8_t** bytes, size_t* size);
+/* Opens what sinew_save() wrote, on this machine or another: every later hash is that of the simulation that never
+ * stopped, and ids hold. `options` has the images and models of the scene; its overrides are not read. Bytes may come
+ * from anybody: SINEW_BAD_ARGUMENT, with place and reason, for what no simulation of this version wrote. */
+SINEW_API sinew_status sinew_load(const uint8_t* bytes, size_t size, const sinew_open_options* options,
+                                  sinew_simulation* simulation);
+
 /* JSON text about the engine. `topic`: "schema" (JSON Schema of a scene), "prefabs" (name, about, parameters),
  * "kinds" (of constraints, in 2D and 3D), "overlays", "tools", "actions" (of a player, with their keys). */
 SINEW_API sinew_status sinew_describe(const char* topic, const char** json);

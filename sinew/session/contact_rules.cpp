@@ -164,6 +164,12 @@ void ContactRules::restart(const Scene& scene, AnyWorld& world) {
         std::visit([](auto& known) { known.contacts.lists_figures = known.contacts.lists_planes = true; }, world);
 }
 
+bool ContactRules::is_of(const Scene& scene) const {
+    return std::ranges::all_of(waiting_, [&](const Waiting& waiting) {
+        return waiting.event < scene.events.size() && scene.events[waiting.event].on.has_value();
+    });
+}
+
 std::vector<RuleMet> ContactRules::met(const Scene& scene, const AnyWorld& world) {
     std::vector<RuleMet> all;
     std::visit(

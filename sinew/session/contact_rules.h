@@ -26,11 +26,23 @@ class ContactRules {
     /// Rules that the contacts of the last step fulfil, in the order of the events.
     std::vector<RuleMet> met(const Scene& scene, const AnyWorld& world);
 
+    /// What a snapshot holds; is_of() says whether it belongs to a scene.
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [waiting] = self;
+        visit(waiting);
+    }
+    bool is_of(const Scene& scene) const;
+
   private:
     struct Waiting {
         std::size_t event = 0;
         std::uint64_t count = 0; ///< occurrences so far
         double next = 0;         ///< time before which the event does not happen
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [event, count, next] = self;
+            visit(event, count, next);
+        }
     };
     std::vector<Waiting> waiting_;
 };

@@ -29,6 +29,12 @@ class EventGrabs {
     /// Particles named by the events.
     std::vector<ParticleId> particles(const AnyWorld& world) const;
 
+    /// What a snapshot holds.
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [held] = self;
+        visit(held);
+    }
+
   private:
     struct Held {
         std::string particle;
@@ -36,6 +42,11 @@ class EventGrabs {
         Point from, to;                 ///< ends of the target's path
         double since = 0, duration = 0; ///< start and duration, in the scene's unit of time
         std::optional<Stroke> stroke{}; ///< replaces the pin in classic mode
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [particle, pin, from, to, since, duration, stroke] = self;
+            visit(particle, pin, from, to, since, duration, stroke);
+        }
     };
 
     template <class WorldT>

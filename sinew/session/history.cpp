@@ -78,6 +78,13 @@ bool History::is_of(const Scene& scene) const {
     });
 }
 
+bool History::is_sound() const {
+    return std::ranges::all_of(series_, [](const Series& series) {
+        return series.spacing > 0 && series.samples.size() <= max_samples &&
+               std::ranges::is_sorted(series.samples, {}, &Sample::step);
+    });
+}
+
 void History::record(const Scene& scene, const AnyWorld& world) {
     std::visit(
         [&](const auto& known) {

@@ -15,6 +15,11 @@ struct Sample {
     std::uint64_t step = 0; ///< steps taken
     double seconds = 0;     ///< simulated time
     Vec3<double> value{};   ///< position of a path; other quantities in the first component, in the scene's units
+
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [step, seconds, value] = self;
+        visit(step, seconds, value);
+    }
 };
 
 /// Samples of a scene's traces. Memory is bounded: a full trace drops every second sample.
@@ -29,6 +34,12 @@ class History {
 
     /// True if the series match the scene's traces.
     bool is_of(const Scene& scene) const;
+    /// What a snapshot holds; is_sound() says whether record() could have left it.
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [series] = self;
+        visit(series);
+    }
+    bool is_sound() const;
 
     std::size_t size() const { return series_.size(); }
     /// Samples of the trace with index `trace`, oldest first; the last is the present.
@@ -39,6 +50,11 @@ class History {
         std::string of, shows;
         std::uint64_t spacing = 1; ///< steps between two permanent samples
         std::vector<Sample> samples;
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [of, shows, spacing, samples] = self;
+            visit(of, shows, spacing, samples);
+        }
     };
 
     std::vector<Series> series_;

@@ -106,6 +106,17 @@ void Motors::find(const Scene& scene, const AnyWorld& any) {
         any);
 }
 
+bool Motors::is_of(const Scene& scene) const {
+    return std::ranges::all_of(driven_, [&](const Driven& driven) {
+        const bool is_own = driven.figure == no_figure_of_scene;
+        if (!is_own && driven.figure >= scene.figures.size()) return false;
+        const auto* by_hand = is_own ? nullptr : std::get_if<ByHand>(&scene.figures[driven.figure].made);
+        if (!is_own && !by_hand) return false;
+        const auto& sections = is_own ? scene.constraints : by_hand->constraints;
+        return driven.section < sections.size() && sections[driven.section].drive.has_value();
+    });
+}
+
 void Motors::run(const Scene& scene, AnyWorld& any) const {
     std::visit(
         [&]<class WorldT>(WorldT& world) {

@@ -14,10 +14,22 @@ class Motors {
     /// Sets speeds and force limits for the next step.
     void run(const Scene& scene, AnyWorld& world) const;
 
+    /// What a snapshot holds; is_of() says whether it belongs to a scene.
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [driven] = self;
+        visit(driven);
+    }
+    bool is_of(const Scene& scene) const;
+
   private:
     struct Driven {
         ConstraintId constraint;
         std::size_t figure = 0, section = 0; ///< indices; `figure` is ~0 for the scene's own constraints
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [constraint, figure, section] = self;
+            visit(constraint, figure, section);
+        }
     };
     static const ConstraintSection& section_of(const Scene& scene, const Driven& driven);
 

@@ -24,8 +24,19 @@ struct PointerGrab {
     struct Along {
         PinId pin;
         Point offset; ///< from `target`
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [pin, offset] = self;
+            visit(pin, offset);
+        }
     };
     std::vector<Along> along{};
+
+    /// What a snapshot holds.
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [members, target, pin, handle, along] = self;
+        visit(members, target, pin, handle, along);
+    }
 
     /// Pins the members at `place`. Empty if a member has been removed or none can move. `acceleration` and `radius` in
     /// the world's units; `hold`: rule of classic mode.

@@ -45,6 +45,11 @@ struct SessionEvent {
     std::size_t islands = 0; ///< "parted": number of islands the figure now has (islands.h); else 0
     std::string with{};      ///< contacts: name of the collider or figure touched; may be empty
     double impulse = 0;      ///< contacts: in the step, or of a hit, in the scene's units
+
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [seconds, what, where, islands, with, impulse] = self;
+        visit(seconds, what, where, islands, with, impulse);
+    }
 };
 
 using AnySolver = EveryWorld<std::variant, Solver>;
@@ -133,10 +138,26 @@ class Session {
     /// Particles held by the pointer and by events of the scene.
     std::vector<ParticleId> held_particles() const;
 
+    /// THE list of what a snapshot holds beside scene, world and images (session_snapshot.h): a new member does not
+    /// compile until listed. Whoever writes calls is_sound() afterwards.
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [scene, world, solver, images, focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to,
+               taken_over, grabs, blowing, history, islands, happenings, happening_count] = self;
+        visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, blowing, history,
+              islands, happenings, happening_count);
+    }
+    /// False unless all indices are of this scene and world.
+    bool is_sound() const;
+
   private:
     struct Blowing {
         std::size_t force = 0; ///< index in the world's forces
         double until = 0;      ///< end, in the scene's unit of time
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [force, until] = self;
+            visit(force, until);
+        }
     };
 
     /// A pin with a driver.
@@ -144,6 +165,11 @@ class Session {
         PinId pin;
         std::size_t section = 0; ///< index of the scene's pin
         Point rest;
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [pin, section, rest] = self;
+            visit(pin, section, rest);
+        }
     };
 
     void find_driven();
@@ -155,6 +181,11 @@ class Session {
         std::uint64_t before = 0; ///< number of earlier occurrences
         /// Inverted order: the earliest is on top of the heap, ties in the scene's order.
         bool operator<(const Due& other) const { return at != other.at ? at > other.at : event > other.event; }
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [at, event, before] = self;
+            visit(at, event, before);
+        }
     };
 
     void plan_events();

@@ -11,6 +11,12 @@ struct Stroke {
     double radius = 0; ///< radius around the path, the scene's unit of length
     double haste = 1;  ///< factor on the pointer's velocity
 
+    /// What a snapshot holds.
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [position, radius, haste] = self;
+        visit(position, radius, haste);
+    }
+
     /// Moves to `to` within one frame.
     void go(AnyWorld& world, const Point& to);
 };

@@ -105,11 +105,35 @@ template <class Tag> class HandleMap {
         entries_.reserve(rows);
     }
 
-  private:
+    /// Everything but the stamp of the next row, which a copy draws anew. Whoever writes calls is_sound() afterwards.
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.rows_, self.plain_, self.plain_generation_, self.index_of_row_, self.entries_, self.first_free_);
+    }
+    /// False unless every row has an index of its own, and every other index is free.
+    bool is_sound() const {
+        if (plain_) return index_of_row_.empty() && entries_.empty();
+        if (index_of_row_.size() != rows_ || rows_ > entries_.size()) return false;
+        for (Row row = 0; row < rows_; ++row)
+            if (index_of_row_[row] >= entries_.size() || entries_[index_of_row_[row]].row != row) return false;
+        auto free = first_free_;
+        for (auto left = entries_.size() - rows_; left > 0; --left) {
+            if (free >= entries_.size() || in_use(free)) return false;
+            free = entries_[free].row;
+        }
+        return free == entries_.size();
+    }
+    /// Makes sure that no later row of this process gets a generation of the table's.
+    void pass_generations() const {
+        Stamp::pass(plain_generation_);
+        for (const auto& entry : entries_) Stamp::pass(entry.generation);
+    }
+
     struct Entry {
         Row row = 0; ///< of a free index: the next free one
         std::uint32_t generation = Stamp::none;
     };
+
+  private:
     Row rows_ = 0;
     bool plain_ = true;                            ///< indices equal rows, and no entry is stored
     Stamp stamp_;                                  ///< generation of the next row

@@ -33,13 +33,23 @@ class Stamp {
 
     static constexpr std::uint32_t none = 0; ///< never drawn
 
+    /// Counts a number as drawn: one that another process drew, and that came with a file.
+    static void pass(std::uint32_t number) {
+        auto drawn = last().load(std::memory_order_relaxed);
+        while (drawn < number && !last().compare_exchange_weak(drawn, number, std::memory_order_relaxed)) {
+        }
+    }
+
   private:
     std::uint32_t drawn_ = none;
 
+    static std::atomic<std::uint32_t>& last() {
+        static std::atomic<std::uint32_t> number{none};
+        return number;
+    }
     static std::uint32_t draw() {
-        static std::atomic<std::uint32_t> last{none};
         std::uint32_t next = none;
-        while (next == none) next = last.fetch_add(1, std::memory_order_relaxed) + 1;
+        while (next == none) next = last().fetch_add(1, std::memory_order_relaxed) + 1;
         return next;
     }
 };

@@ -66,6 +66,23 @@ static void a_copy_goes_on_to_the_same_bits(void) {
     CHECK(sinew_close(first) == SINEW_OK && sinew_close(second) == SINEW_OK);
 }
 
+static void a_saved_simulation_goes_on(void) {
+    const sinew_simulation first = opened();
+    sinew_simulation second = {0};
+    const uint8_t* bytes = NULL;
+    size_t size = 0;
+    uint64_t a = 0, b = 1;
+    CHECK(sinew_step(first, 20) == SINEW_OK);
+    CHECK(sinew_save(first, &bytes, &size) == SINEW_OK && size > 64);
+    CHECK(sinew_load(bytes, size, NULL, &second) == SINEW_OK);
+    CHECK(sinew_load(bytes, size - 1, NULL, &second) == SINEW_BAD_ARGUMENT);
+    CHECK(strstr(sinew_message(), "ends within") != NULL);
+    CHECK(sinew_load(NULL, 0, NULL, &second) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_step(first, 20) == SINEW_OK && sinew_step(second, 20) == SINEW_OK);
+    CHECK(sinew_state_hash(first, &a) == SINEW_OK && sinew_state_hash(second, &b) == SINEW_OK && a == b);
+    CHECK(sinew_close(first) == SINEW_OK && sinew_close(second) == SINEW_OK);
+}
+
 static void errors_have_their_places(void) {
     sinew_simulation none = {12345};
     sinew_diagnostic error;
@@ -330,6 +347,7 @@ int main(void) {
     a_pendulum_keeps_its_energy();
     columns_are_the_state();
     a_copy_goes_on_to_the_same_bits();
+    a_saved_simulation_goes_on();
     errors_have_their_places();
     edits_are_undone_by_their_ids();
     made_up_ids_and_handles_do_nothing();

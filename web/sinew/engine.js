@@ -48,6 +48,18 @@ export class Engine {
         return this.ofPrecision((engine) => new Simulation(engine, engine.opened("sinew_open", scene, options)));
     }
 
+    /** Opens what Simulation.save() gave, here or on another machine. */
+    load(bytes, options = {}) {
+        const precisionAt = 13; // in the header: 32 or 64 bits
+        const engine = bytes[precisionAt] === 32 && this.float ? this.float : this;
+        const { data } = engine;
+        const handle = data.within((arena) => {
+            engine.call("sinew_load", arena.bytes(bytes), bytes.length, optionsIn(arena, options), data.result);
+            return data.uint(data.result);
+        });
+        return new Simulation(engine, handle);
+    }
+
     play(scene, options = {}) {
         return this.ofPrecision((engine) => new Player(engine, engine.opened("sinew_play", scene, options)));
     }

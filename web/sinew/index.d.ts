@@ -130,6 +130,12 @@ export interface Engine {
 
     /** Opens a scene at its start, from JSON text or an object. Throws SceneErrors. */
     open(scene: string | object, options?: OpenOptions): Simulation;
+    /**
+     * Opens what Simulation.save() gave, here or on another machine: every later hash is that of the simulation that
+     * never stopped. `options` has the images and models of its scene. Throws for bytes that no simulation of this
+     * version gave.
+     */
+    load(bytes: Uint8Array, options?: OpenOptions): Simulation;
     /** Opens a scene in the interactive player. Throws SceneErrors. */
     play(scene: string | object, options?: OpenOptions): Player;
     /** The errors of a scene; empty if there are none. */
@@ -227,6 +233,8 @@ export interface Simulation {
     restart(): void;
     /** A copy in the present state, which goes on by itself. */
     copy(): Simulation;
+    /** The bytes of the simulation in its present state, for Engine.load(). */
+    save(): Uint8Array;
     /** Frees the memory. Also `using`: Symbol.dispose. */
     dispose(): void;
     [Symbol.dispose](): void;

@@ -81,6 +81,12 @@ class Arena {
         return at;
     }
 
+    bytes(bytes) {
+        const at = this.allocate(bytes.length);
+        this.memory.bytes.set(bytes, at);
+        return at;
+    }
+
     doubles(numbers) {
         const at = this.allocate(8 * numbers.length);
         numbers.forEach((number, i) => this.memory.view.setFloat64(at + 8 * i, number, true));

@@ -59,6 +59,13 @@ export class Simulation {
         return new Simulation(this.engine, this.engine.data.uint(this.ask("sinew_copy")));
     }
 
+    /** The bytes of the simulation in its present state, for Engine.load(). */
+    save() {
+        const { data } = this.engine;
+        this.call("sinew_save", data.result, data.result + 4);
+        return new Uint8Array(data.buffer, data.uint(data.result), data.uint(data.result + 4)).slice();
+    }
+
     dispose() {
         if (this.isClosed || this.isReadOnly) return;
         this.isClosed = true;

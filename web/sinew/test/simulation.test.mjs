@@ -243,3 +243,21 @@ test("what rests falls asleep, and a collider that moves wakes and carries it", 
     assert.ok(Math.abs(simulation.stateOf("pebble/p").position[1] - 0.6) < 1e-3);
     simulation.dispose();
 });
+
+test("a saved simulation goes on as if it had never stopped", () => {
+    for (const precision of ["double", "float"]) {
+        const simulation = engine.open(pendulum, { overrides: [`precision=${precision}`] });
+        const bob = simulation.particle("pendulum/bob");
+        simulation.step(10);
+        const bytes = simulation.save();
+        const restored = engine.load(bytes);
+        assert.equal(restored.hash(), simulation.hash());
+        for (const one of [simulation, restored]) one.step(20);
+        assert.equal(restored.hash(), simulation.hash());
+        assert.deepEqual(restored.stateOf(bob), simulation.stateOf(bob), "ids hold");
+        const damaged = bytes.slice();
+        damaged[damaged.length - 1] ^= 1;
+        assert.throws(() => engine.load(damaged), hasStatus(status.badArgument));
+        assert.throws(() => engine.load(bytes.slice(0, -1)), /ends within/);
+    }
+});
