@@ -1,0 +1,49 @@
+#pragma once
+
+#include "sinew/world/world.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+/// The last moments of a world, to go back to: for games over a network, which step on a guess and correct it.
+namespace sinew {
+
+/// A ring of moments. What never changes is held once for all of them; a moment takes what moves. For a world of one
+/// process: snapshot.h writes what others may read.
+template <int D, class Real> class Rollback {
+  public:
+    /// `moments`: number of moments held, at least 1.
+    explicit Rollback(std::size_t moments) : ring_(moments > 0 ? moments : 1) {}
+
+    /// Keeps the world as it is: before each step.
+    void keep(const World<D, Real>& world);
+    /// Puts the world back by so many moments: 0 is the latest kept. False, and nothing changes, if none is so old.
+    /// Later moments are forgotten.
+    bool go_back(World<D, Real>& world, std::size_t moments);
+
+    /// Number of moments to go back to.
+    std::size_t size() const { return size_; }
+    /// Bytes of the latest moment.
+    std::size_t bytes() const { return size_ > 0 ? at(0).moving.size() : 0; }
+
+  private:
+    /// What never changes, and how to know that it has not.
+    struct Fixed {
+        std::uint64_t parameters = 0;
+        std::vector<std::size_t> sizes;
+        std::vector<std::byte> bytes;
+    };
+    struct Moment {
+        std::shared_ptr<const Fixed> fixed;
+        std::vector<std::byte> moving;
+    };
+    std::vector<Moment> ring_;
+    std::size_t next_ = 0, size_ = 0;
+
+    const Moment& at(std::size_t back) const { return ring_[(next_ + ring_.size() - 1 - back) % ring_.size()]; }
+    static std::vector<std::size_t> sizes_of(const World<D, Real>& world);
+};
+
+} // namespace sinew
