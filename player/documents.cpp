@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_bytes = 256u << 20; // limit of a saved state
 constexpr std::size_t most_recent = 8;
 constexpr double draft_every = 5; // seconds
+constexpr std::size_t max_recordings = 8;
+constexpr const char* recording_extension = ".rec";
 constexpr std::string_view draft_origin = "// from ";
 
 constexpr const char* empty_scene = R"({
@@ -32,7 +34,7 @@ bool is_file_name(const std::string& word) {
 std::string extension_for(Purpose purpose) {
     if (purpose == Purpose::picture) return ".png";
     if (purpose == Purpose::film) return ".mp4";
-    return purpose == Purpose::save_state ? ".state.json" : ".json";
+    return purpose == Purpose::save_state ? ".sinew" : ".json";
 }
 
 } // namespace
@@ -45,7 +47,11 @@ void Play::open(const std::string& scene, std::vector<Override> overrides) {
 
 void Play::open_now(const std::string& scene, std::vector<Override> overrides) {
     if (is_file_name(scene))
-        if (const auto text = read_file(scene, max_bytes); text && is_state(*text)) return open_state(scene);
+        if (const auto text = read_file(scene, max_bytes)) {
+            const auto bytes = std::as_bytes(std::span(*text));
+            if (is_snapshot(bytes) || is_recording(bytes)) return open_running(scene);
+            if (is_state(*text)) return open_state(scene);
+        }
     auto fetched = library_.fetch(scene, overrides);
     if (!fetched.opened) return report_problem(std::move(fetched.problem));
     let_go_of_everything();
@@ -130,20 +136,92 @@ void Play::end_restoration() {
     const auto from = restoration_->from();
     restoration_.reset();
     if (!timeline) return report_problem(std::move(problem));
+    begin_running(restored_from_, std::move(*timeline), from);
+}
+
+void Play::begin_running(const fs::path& path, Timeline timeline, const std::string& from) {
     std::vector<Pane> panes;
-    panes.push_back({std::move(*timeline), {}});
-    name_ = restored_from_.string();
+    panes.push_back({std::move(timeline), {}});
+    name_ = path.string();
     overrides_.clear();
     path_.clear();
     beside_ = from;
     begin(std::move(panes));
-    note_recent(restored_from_);
+    note_recent(path);
     tell("restored", {{"path", name_}, {"hash", hash()}});
 }
 
+/// Builds the scene of a file `name`; `from` and `problem` receive where its pictures are, and what is wrong with it.
+SceneOpener Play::opener(const std::string& name, std::string& from, std::string& problem) const {
+    return [this, name, &from, &problem](const std::string& scene, const std::string& beside) {
+        from = beside;
+        auto fetched = library_.read(scene, name + ": scene", beside);
+        if (!fetched.opened) problem = std::move(fetched.problem);
+        return std::move(fetched.opened);
+    };
+}
+
+/// A snapshot, or a recording from its first step on.
+void Play::open_running(const fs::path& path) {
+    const auto text = read_file(path, max_bytes).value_or("");
+    const auto bytes = std::as_bytes(std::span(text));
+    std::string from, problem;
+    SnapshotError error;
+    const auto open = opener(path.string(), from, problem);
+    std::optional<Timeline> timeline;
+    if (is_snapshot(bytes)) {
+        if (auto session = session_of(bytes, open, error))
+            timeline.emplace(std::move(*session), std::vector<LoggedAction>{}, 0);
+    } else if (auto recording = read_recording(bytes, open, error)) {
+        auto actions = actions_of(*recording, open);
+        const auto steps = recording->steps;
+        if (auto replay = Replay::begin(std::move(*recording), open, error))
+            timeline.emplace(std::move(replay->session()), std::move(actions), steps);
+    }
+    if (!timeline) return report_problem(problem.empty() ? path.string() + ": " + error.text() : std::move(problem));
+    let_go_of_everything();
+    begin_running(path, std::move(*timeline), from);
+}
+
+// --- recordings ------------------------------------------------------------------------------------------------------
+
+void Play::record_in(const fs::path& folder) {
+    recordings_ = folder;
+    begin_recording();
+}
+
+/// Begins a file for what runs now, and removes the oldest of many.
+void Play::begin_recording() {
+    if (recordings_.empty() || panes_.empty()) return;
+    recording_ = new_file_in(recordings_, fs::path(name_).stem().string(), recording_extension, max_recordings - 1);
+    if (recording_.empty()) return;
+    const auto from = beside_.empty() ? std::string() : full_path(beside_);
+    timeline().record(std::make_shared<Recorder>(append_to(recording_), session(), from));
+}
+
+bool Play::save_recording(fs::path path) {
+    if (path.empty()) path = free_path(fs::path("out") / (fs::path(name_).stem().string() + recording_extension));
+    const auto* recorder = timeline().recorder();
+    if (!recorder) return report_problem("nothing is recorded"), false;
+    if (recorder->failure()) return report_problem(*recorder->failure()), false;
+    const auto bytes = read_file(recording_, max_bytes);
+    if (!bytes) return report_problem("cannot read " + recording_.string()), false;
+    if (auto failure = write_file(path, *bytes)) return report_problem(std::move(*failure)), false;
+    message = "saved " + full_path(path);
+    tell("saved_recording", {{"path", path.string()}, {"hash", hash()}});
+    return true;
+}
+
+/// The actions as text where the name ends in .json; else a snapshot, which opens at once.
 bool Play::save_state(const fs::path& path) {
     let_go_of_everything();
-    const auto text = state_text(timeline().recipe(), beside_.empty() ? "" : full_path(beside_), hash());
+    const auto from = beside_.empty() ? std::string() : full_path(beside_);
+    const bool is_text = path.extension() == ".json";
+    if (is_text && !timeline().has_recipe())
+        return report_problem("this run began in the midst of its scene: save it as .sinew, not as .json"), false;
+    const auto bytes = is_text ? std::vector<std::byte>() : sinew::save(session(), from);
+    const auto text = is_text ? state_text(timeline().recipe(), from, hash())
+                              : std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (auto failure = write_file(path, text)) return report_problem(std::move(*failure)), false;
     message = "saved " + full_path(path);
     note_recent(path);

@@ -2,11 +2,15 @@
 
 #include "canvas/partial_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace sinew::play {
 
@@ -30,6 +34,34 @@ canvas::Failure write_file(const fs::path& path, const std::string& text) {
     const int reason = errno;
     if (std::fclose(file) != 0 || !whole) return explained(std::strerror(whole ? errno : reason));
     return explained(partial.commit());
+}
+
+std::function<canvas::Failure(std::span<const std::byte>)> append_to(const fs::path& path) {
+    const auto name = path.string();
+    const auto explained = [name](int reason) {
+        return canvas::Failure("cannot write " + name + ": " + std::strerror(reason));
+    };
+    const std::shared_ptr<std::FILE> file(std::fopen(name.c_str(), "wb"), [](std::FILE* held) {
+        if (held) std::fclose(held);
+    });
+    if (!file) return [failure = explained(errno)](std::span<const std::byte>) { return failure; };
+    return [file, explained](std::span<const std::byte> bytes) {
+        const bool is_written =
+            std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() && std::fflush(file.get()) == 0;
+        return is_written ? std::nullopt : explained(errno);
+    };
+}
+
+fs::path new_file_in(const fs::path& folder, const std::string& stem, const std::string& extension, std::size_t kept) {
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    if (failed) return {};
+    std::vector<std::pair<fs::file_time_type, fs::path>> old;
+    for (const auto& entry : fs::directory_iterator(folder, failed))
+        if (entry.path().extension() == extension) old.emplace_back(time_written(entry.path()), entry.path());
+    std::sort(old.begin(), old.end());
+    for (std::size_t i = 0; i + kept < old.size(); ++i) remove_file(old[i].second);
+    return free_path(folder / (stem + extension));
 }
 
 void remove_file(const fs::path& path) {

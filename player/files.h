@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace sinew::play {
@@ -14,6 +16,15 @@ std::filesystem::file_time_type time_written(const std::filesystem::path& path);
 
 /// Writes a file as a whole or not at all; returns the failure, if any.
 [[nodiscard]] canvas::Failure write_file(const std::filesystem::path& path, const std::string& text);
+
+/// Begins a file, and appends to it what the function is called with: in one piece, and kept by the system whatever
+/// ends the program. Calls return the failure, if any.
+std::function<canvas::Failure(std::span<const std::byte>)> append_to(const std::filesystem::path& path);
+
+/// Name of a new file in a folder, which is made; of files with the extension there, all but the latest `kept` are
+/// removed. Empty if there can be no folder.
+std::filesystem::path new_file_in(const std::filesystem::path& folder, const std::string& stem,
+                                  const std::string& extension, std::size_t kept);
 
 /// Removes a file; a missing one is no error.
 void remove_file(const std::filesystem::path& path);

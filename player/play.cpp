@@ -75,6 +75,7 @@ void Play::begin(std::vector<Pane> panes) {
     clock_->set_scale(scale);
     clock_->pause(paused);
     resize_eyes();
+    begin_recording();
 }
 
 void Play::report_problem(std::string text) {

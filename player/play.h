@@ -117,8 +117,13 @@ class Play {
     /// Saves to the scene's own file; asks for a path if there is none.
     void save_or_ask();
     bool save(const std::filesystem::path& path);
-    /// Saves the running session with all actions since the start.
+    /// Saves the running session: as a snapshot, or with all actions since the start of its scene as text where the
+    /// name ends in .json.
     bool save_state(const std::filesystem::path& path);
+    /// Records everything in files of a folder, of which the latest are kept.
+    void record_in(const std::filesystem::path& folder);
+    /// Copies the recording of what runs, for the report of a fault; by default to out/.
+    bool save_recording(std::filesystem::path path = {});
     void ask_for_path(Purpose purpose, std::function<void()> then = {});
     /// Answers the path request.
     void choose(const std::filesystem::path& path);
@@ -197,7 +202,11 @@ class Play {
     void begin(std::vector<Pane> panes);
     void open_now(const std::string& scene, std::vector<Override> overrides);
     void open_state(const std::filesystem::path& path);
+    void open_running(const std::filesystem::path& path);
+    void begin_running(const std::filesystem::path& path, Timeline timeline, const std::string& from);
     void end_restoration();
+    void begin_recording();
+    SceneOpener opener(const std::string& name, std::string& from, std::string& problem) const;
     void note_recent(const std::filesystem::path& path);
     void unless_lost(const std::string& verb, std::function<void()> go_on);
     void save_then(std::function<void()> go_on);
@@ -238,6 +247,8 @@ class Play {
     bool muted_ = false;       ///< events of other panes are not reported
     std::optional<Clock> clock_;
     std::optional<Restoration> restoration_;
+    std::filesystem::path recordings_; ///< folder of recordings; empty: nothing is recorded
+    std::filesystem::path recording_;  ///< of what runs
     std::filesystem::path restored_from_;
     Vec2<double> pointer_{};
     std::vector<std::string> selected_names_; ///< names of the selected particles

@@ -58,16 +58,24 @@ Timeline::Timeline(Session session, ActionLog log)
     mark();
 }
 
+Timeline::Timeline(Session session, std::vector<LoggedAction> future, std::uint64_t steps)
+    : session_(std::move(session)), log_(session_), end_(steps), spacing_(steps_in(between_marks, session_)),
+      has_recipe_(false) {
+    mark();
+    for (auto& logged : future) done_.push_back({logged.step, std::move(logged.action)});
+    arrive();
+}
+
 void Timeline::step() {
     between_.remember(session_.world());
     session_.step();
     log_.step();
     ++now_;
-    if (now_ > end_) {
-        end_ = now_;
-        if (now_ >= marks_.back().step + spacing_) mark();
-    }
-    arrive();
+    end_ = std::max(end_, now_);
+    const bool is_recorded = recorder_ && now_ > recorder_->steps();
+    if (is_recorded) recorder_->step(session_);
+    if (now_ >= marks_.back().step + spacing_) mark();
+    arrive(is_recorded);
 }
 
 void Timeline::apply(const Action& action) {
@@ -80,10 +88,14 @@ Return Timeline::return_here() const {
     return {std::make_shared<const Session>(session_), log_.now()};
 }
 
-void Timeline::arrive() {
+/// Carries out the actions known for this step. `is_recorded`: for the first time, and to be recorded.
+void Timeline::arrive(bool is_recorded) {
     const auto here = std::lower_bound(done_.begin(), done_.end(), now_,
                                        [](const Done& done, std::uint64_t step) { return done.step < step; });
-    for (auto done = here; done != done_.end() && done->step == now_; ++done) apply(done->action);
+    for (auto done = here; done != done_.end() && done->step == now_; ++done) {
+        apply(done->action);
+        if (is_recorded) recorder_->act(done->action, session_);
+    }
 }
 
 void Timeline::go_to(std::uint64_t step) {
@@ -113,6 +125,7 @@ void Timeline::draw(Picture& picture, OverlaySet overlay, const View& view, doub
 void Timeline::act(Action action) {
     forget_the_future();
     apply(action);
+    if (recorder_) recorder_->act(action, session_);
     if (!replace_last<Drag>(done_, now_, action) && !replace_last<PointAt>(done_, now_, action))
         done_.push_back({now_, std::move(action)});
 }
@@ -121,6 +134,7 @@ void Timeline::forget_the_future() {
     while (!done_.empty() && done_.back().step > now_) done_.pop_back();
     while (marks_.size() > 1 && marks_.back().step > now_) marks_.pop_back();
     end_ = now_;
+    if (recorder_) recorder_->go_to(now_);
 }
 
 /// Adds a snapshot; drops snapshots older than `remembered`, with the actions before the first one left.

@@ -4,10 +4,12 @@
 
 #include "player/action_log.h"
 #include "player/interpolator.h"
+#include "player/recording.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,15 @@ class Timeline {
     explicit Timeline(Session session);
     /// Continues from a session with a past: `log` leads to the present state.
     Timeline(Session session, ActionLog log);
+    /// Continues from a session in the midst of its scene, with a future of so many steps and the actions in them, in
+    /// order. An action of its own replaces the rest of it.
+    Timeline(Session session, std::vector<LoggedAction> future, std::uint64_t steps);
+
+    /// Records everything from now on; null ends it. Call before the first step.
+    void record(std::shared_ptr<Recorder> recorder) { recorder_ = std::move(recorder); }
+    const Recorder* recorder() const { return recorder_.get(); }
+    /// True if recipe() leads to the present state: the timeline begins at the start of a scene.
+    bool has_recipe() const { return has_recipe_; }
 
     const Session& session() const { return session_; }
     void report(const SolverReports& reports) { session_.set_reports(reports); }
@@ -77,7 +88,7 @@ class Timeline {
 
     void apply(const Action& action);
     Return return_here() const;
-    void arrive();
+    void arrive(bool is_recorded = false);
     void mark();
     void forget_the_future();
 
@@ -91,6 +102,8 @@ class Timeline {
     std::deque<Edit> edits_;
     std::int64_t edits_made_ = 0;
     std::size_t undone_ = 0; ///< undone edits, counted from the back of edits_
+    bool has_recipe_ = true;
+    std::shared_ptr<Recorder> recorder_;
 };
 
 } // namespace sinew::play

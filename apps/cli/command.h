@@ -42,7 +42,8 @@ class Command {
 #ifdef SINEW_ONLY_COMMAND
 #define SINEW_COMMANDS(X) X(SINEW_ONLY_COMMAND)
 #else
-#define SINEW_COMMANDS(X) X(play) X(render) X(gallery) X(run) X(check) X(info) X(list) X(describe) X(bench)
+#define SINEW_COMMANDS(X)                                                                                              \
+    X(play) X(render) X(gallery) X(run) X(record) X(replay) X(diff) X(check) X(info) X(list) X(describe) X(bench)
 #endif
 
 namespace command {

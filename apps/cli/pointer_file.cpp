@@ -100,9 +100,9 @@ PointerSample PointerPath::now(double time) {
     return sample;
 }
 
-void PointerPath::lead(Session& session) {
+std::vector<play::Action> PointerPath::moves(const Session& session) {
     const double time = end_of_step(session);
-    if (time < samples_.front().time * (1 - 1e-9)) return;
+    if (time < samples_.front().time * (1 - 1e-9)) return {};
     const auto& scene = session.scene();
     const View view(scene, session.focus(), scene.view.size[0], scene.view.size[1]);
     const auto sample = now(time);
@@ -112,18 +112,20 @@ void PointerPath::lead(Session& session) {
         pixel = cast<double>(view.see({{sample.x, sample.y, 0}})->pixel);
     else
         position = view.position_of(pixel, depth_);
-    session.point_at(position);
-    if (sample.pressed && !pressed_) press(session, view, pixel);
-    if (!sample.pressed && pressed_) session.let_go();
+    std::vector<play::Action> actions{play::PointAt{position}};
+    if (sample.pressed && !pressed_)
+        if (auto grab = press(session, view, pixel)) actions.emplace_back(std::move(*grab));
+    if (!sample.pressed && pressed_) actions.emplace_back(play::LetGo{});
     pressed_ = sample.pressed;
-    if (pressed_) session.drag(scene.dimension == 2 ? position : view.position_of(pixel, depth_));
+    if (pressed_) actions.emplace_back(play::Drag{scene.dimension == 2 ? position : view.position_of(pixel, depth_)});
+    return actions;
 }
 
-void PointerPath::press(Session& session, const View& view, Vec2<double> pixel) {
+std::optional<play::Grab> PointerPath::press(const Session& session, const View& view, Vec2<double> pixel) {
     const auto picked = pick(session.world(), view, pixel, pick_radius);
-    if (!picked) return;
+    if (!picked) return std::nullopt;
     depth_ = picked->depth;
-    session.grab(picked->members, picked->position);
+    return play::Grab{play::rows_of(session.world(), picked->members), picked->position};
 }
 
 } // namespace sinew::cli

@@ -2,8 +2,11 @@
 
 #include "sinew/session/session.h"
 
+#include "player/action.h"
+
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 /// A pointer's path from a file, in place of a user's hand: `--pointer FILE`.
@@ -22,9 +25,9 @@ class PointerPath {
     /// Throws CommandError with the number of a line other than TIME, X, Y, BUTTON.
     static PointerPath read(const std::filesystem::path& path);
 
-    /// Moves the session's pointer to the position at the end of the next step, and presses or releases. A press grabs
-    /// the nearest candidate, as in the window. Before the first line there is no pointer.
-    void lead(Session& session);
+    /// Actions that move the session's pointer to the position at the end of the next step, and press or release. A
+    /// press grabs the nearest candidate, as in the window. Before the first line there is no pointer.
+    std::vector<play::Action> moves(const Session& session);
 
   private:
     std::vector<PointerSample> samples_; ///< in the order of time
@@ -33,7 +36,7 @@ class PointerPath {
     bool pressed_ = false;
 
     PointerSample now(double time);
-    void press(Session& session, const View& view, Vec2<double> pixel);
+    std::optional<play::Grab> press(const Session& session, const View& view, Vec2<double> pixel);
 };
 
 } // namespace sinew::cli

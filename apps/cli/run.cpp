@@ -7,6 +7,7 @@
 #include "apps/cli/json_line.h"
 #include "apps/cli/report_text.h"
 #include "apps/cli/scene_file.h"
+#include "apps/cli/session_file.h"
 #include "apps/cli/stepping.h"
 #include "apps/cli/trace.h"
 #include "canvas/interrupt.h"
@@ -29,6 +30,10 @@ class StepTimes {
         ++count;
     }
 
+    void add(const StepTimes& others) {
+        for (const double time : others.times) add(time);
+    }
+
     /// Milliseconds; 0 without a step.
     double median() const {
         if (times.empty()) return 0;
@@ -48,13 +53,16 @@ class StepTimes {
 struct Tracing {
     Trace& trace;
     std::uint64_t every = 1;
+    bool has_begun = false; ///< the present state is written
+
+    Tracing going_on() const { return {trace, every, true}; }
 };
 
 StepTimes timed(Run& run, std::uint64_t steps, const std::string& label, std::optional<Tracing> tracing) {
     using Clock = std::chrono::steady_clock;
     StepTimes times;
     canvas::Progress progress(label, std::size_t(steps));
-    if (tracing) tracing->trace.write(run.session);
+    if (tracing && !tracing->has_begun) tracing->trace.write(run.session);
     while (run.steps() < steps) {
         const auto begin = Clock::now();
         run.advance(run.steps() + 1, progress);
@@ -112,7 +120,8 @@ class RunCommand final : public Command {
     Manual manual() const override {
         return {
             .name = "run",
-            .usage = "SCENE [--seconds S] [--trace FILE] [--pointer FILE] [--threads N] [--json] [key=value...]",
+            .usage = "SCENE [--seconds S] [--save FILE [--at S]] [--trace FILE] [--pointer FILE] [--threads N]\n"
+                     "          [--json] [key=value...]",
             .about = "steps a scene without drawing it and tells how it ended",
             .details =
                 "With --json the last line is one JSON object: scene, mode, precision, dimension, units,\n"
@@ -130,6 +139,9 @@ class RunCommand final : public Command {
                 ".csv, otherwise as a JSON object a line. With --trace - the rows go to standard output, and\n"
                 "what run has to tell to standard error.\n"
                 "\n"
+                "With --save the running scene is written to a file, and `sinew run FILE` goes on from there: on any\n"
+                "machine, every later hash is that of the run that never stopped.\n"
+                "\n"
                 "A pointer file has a line TIME, X, Y, BUTTON for each turn of a pointer's path, in the\n"
                 "scene's units (in 3D X and Y are pixels of its picture). The pointer goes straight from one\n"
                 "place to the next; while BUTTON is not 0 it holds what it was pressed on.\n",
@@ -138,7 +150,8 @@ class RunCommand final : public Command {
                         "sinew run ragdoll mode=classic precision=float world.gravity=[0,0.2]\n"
                         "sinew run ragdoll --trace ragdoll.csv --every 6 --of bob/head,bob/left_foot\n"
                         "sinew run chains mode=classic --pointer mouse.csv --trace - | jq .position\n"
-                        "generate-a-scene | sinew run - --json\n",
+                        "generate-a-scene | sinew run - --json\n"
+                        "sinew run ragdoll --save at.sinew --at 5; sinew run at.sinew --json\n",
         };
     }
 
@@ -150,11 +163,14 @@ class RunCommand final : public Command {
         declare_text(parser, "--trace", trace_path, "FILE", "writes positions and velocities, frame by frame");
         declare_whole(parser, "--every", every, {1, 1e9}, "N", "of a trace: each Nth step only");
         declare_text(parser, "--of", names, "A,B", "of a trace: these particles and figures; else all");
+        declare_text(parser, "--save", save_path, "FILE", "saves the running scene, to go on from: sinew run FILE");
+        declare_number(parser, "--at", save_at, possible_seconds, "S", "of --save: when; else at the end");
         declare_text(parser, "--pointer", pointer_path, "FILE", "plays a pointer's path: time, x, y, button a line");
     }
 
     int run() override {
-        Run run(open_file(words.scene, words.overrides), threads.value_or(0));
+        auto opened = open_session(words);
+        Run run(std::move(opened.session), threads.value_or(0));
         if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
         auto trace = begin_trace(run.session);
         canvas::catch_interrupts();
@@ -163,7 +179,15 @@ class RunCommand final : public Command {
         const auto phases = std::make_shared<PhaseTimes>();
         run.session.set_reports({.times = phases, .preparing = {}});
         const auto tracing = trace ? std::optional(Tracing{*trace, std::uint64_t(every.value_or(1))}) : std::nullopt;
-        const auto times = timed(run, steps_until(scene, seconds.value_or(scene.seconds)), title_of(name), tracing);
+        if (save_at && save_path.empty()) usage_error("--at is of --save", "--save FILE saves the running scene");
+        const auto last = steps_until(scene, seconds.value_or(save_at.value_or(scene.seconds)));
+        const auto saved = save_at ? steps_until(scene, *save_at) : last;
+        if (!save_path.empty() && saved > last) usage_error("--at is after the end", "--seconds S runs longer");
+        auto times = timed(run, save_path.empty() ? last : saved, title_of(name), tracing);
+        if (!save_path.empty()) {
+            save_session(run.session, opened.from, save_path);
+            times.add(timed(run, last, title_of(name), tracing ? std::optional(tracing->going_on()) : std::nullopt));
+        }
         if (trace) trace->close();
         const auto milliseconds = times.median();
         const auto text = as_json ? to_line(to_json(name, run.session, milliseconds, *phases))
@@ -188,7 +212,8 @@ class RunCommand final : public Command {
     SceneWords words;
     std::optional<double> seconds;
     std::optional<int> threads, every;
-    std::string trace_path, names, pointer_path;
+    std::optional<double> save_at;
+    std::string trace_path, names, pointer_path, save_path;
     bool as_json = false;
 };
 

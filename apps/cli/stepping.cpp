@@ -3,6 +3,7 @@
 #include "sinew/simulation.h"
 #include "sinew/solver/simd/kernel.h"
 
+#include "apps/cli/command.h"
 #include "apps/cli/console.h"
 #include "canvas/interrupt.h"
 
@@ -31,7 +32,8 @@ std::uint64_t steps_until(const Scene& scene, double seconds) {
     return std::uint64_t(std::ceil(std::fmax(seconds * scene.solver.rate - rounding, 0)));
 }
 
-Run::Run(Opened opened, int threads) : session(std::move(opened)) {
+Run::Run(Session begun, int threads) : session(std::move(begun)) {
+    taken = std::visit([](const auto& world) { return world.steps; }, session.world());
     session.set_options({.threads = threads, .simd = wanted_simd()});
     const bool is_large = std::visit(
         [](const auto& world) {
@@ -48,8 +50,15 @@ Run::Run(Opened opened, int threads) : session(std::move(opened)) {
 
 void Run::step() {
     give_up_if_interrupted();
-    if (pointer) pointer->lead(session);
+    if (pointer)
+        for (const auto& action : pointer->moves(session)) {
+            play::carry_out(action, session);
+            if (recorder) recorder->act(action, session);
+        }
     session.step();
+    if (!recorder) return;
+    recorder->step(session);
+    if (const auto& failure = recorder->failure()) throw CommandError{bad_input, "sinew: " + *failure + "\n"};
 }
 
 void Run::advance(std::uint64_t steps) {

@@ -4,8 +4,10 @@
 
 #include "apps/cli/pointer_file.h"
 #include "canvas/progress.h"
+#include "player/recording.h"
 
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace sinew::cli {
@@ -19,7 +21,9 @@ std::uint64_t steps_until(const Scene& scene, double seconds);
 class Run {
   public:
     /// Prepares a large world at once, with a progress bar. `threads` 0: one for each core.
-    explicit Run(Opened opened, int threads = 0);
+    explicit Run(Opened opened, int threads = 0) : Run(Session(std::move(opened)), threads) {}
+    /// Goes on from a session's present step.
+    explicit Run(Session begun, int threads = 0);
 
     /// Steps until `steps` are taken in all. Throws CommandError after Ctrl-C.
     void advance(std::uint64_t steps);
@@ -29,7 +33,8 @@ class Run {
     std::uint64_t steps() const { return taken; }
 
     Session session;
-    std::optional<PointerPath> pointer; ///< drives the session's pointer
+    std::optional<PointerPath> pointer;       ///< drives the session's pointer
+    std::shared_ptr<play::Recorder> recorder; ///< records all that happens
 
   private:
     std::uint64_t taken = 0;

@@ -31,7 +31,9 @@ void file_menu(Play& play) {
     if (entry(play, "Save", "save")) play.save_or_ask();
     if (entry(play, "Save as\xe2\x80\xa6", "save_as")) play.ask_for_path(Purpose::save);
     if (entry(play, "Save running state\xe2\x80\xa6")) play.ask_for_path(Purpose::save_state);
-    tooltip("All that led to this moment; Open goes on from it.");
+    tooltip("Open goes on from this moment.");
+    if (entry(play, "Save recording")) play.save_recording();
+    tooltip("All that happened since the scene was opened, for a report of a fault: sinew replay FILE.");
     ImGui::Separator();
     if (entry(play, "Export picture\xe2\x80\xa6")) play.ask_for_path(Purpose::picture);
     if (play.recording() ? entry(play, "End the film", "film") : entry(play, "Record film\xe2\x80\xa6"))

@@ -45,6 +45,11 @@ void save_settings(const Settings& settings) {
     (void)play::write_file(path, json::to_text(write(settings, Writing{})) + "\n"); // on failure: defaults next time
 }
 
+fs::path recordings_path() {
+    const auto state = folder("XDG_STATE_HOME", ".local/state");
+    return state.empty() ? fs::path() : state / "recordings";
+}
+
 fs::path draft_path() {
     const auto state = folder("XDG_STATE_HOME", ".local/state");
     return state.empty() ? fs::path() : state / "autosave.json";

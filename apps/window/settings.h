@@ -39,6 +39,8 @@ struct Settings {
 Settings load_settings();
 void save_settings(const Settings& settings);
 
+/// Folder of recordings: $XDG_STATE_HOME/sinew/recordings; empty if HOME is not set.
+std::filesystem::path recordings_path();
 /// File of unsaved edits: $XDG_STATE_HOME/sinew/autosave.json; empty if HOME is not set.
 std::filesystem::path draft_path();
 

@@ -100,6 +100,7 @@ class Window {
         };
         play_.set_clipboard = [](const std::string& text) { SDL_SetClipboardText(text.c_str()); };
         play_.keep_draft_in(draft_path());
+        play_.record_in(recordings_path());
         play_.offer_draft();
     }
 

@@ -19,6 +19,14 @@ canvas::Failure write_file(const std::filesystem::path&, const std::string&) {
     return no_files;
 }
 
+std::function<canvas::Failure(std::span<const std::byte>)> append_to(const std::filesystem::path&) {
+    return [](std::span<const std::byte>) { return canvas::Failure(no_files); };
+}
+
+std::filesystem::path new_file_in(const std::filesystem::path&, const std::string&, const std::string&, std::size_t) {
+    return {};
+}
+
 void remove_file(const std::filesystem::path&) {}
 
 std::filesystem::path free_path(const std::filesystem::path& wanted) {

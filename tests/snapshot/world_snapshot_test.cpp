@@ -21,26 +21,25 @@ TYPED_TEST_SUITE(WorldSnapshots, Everywhere, Names);
 
 TYPED_TEST(WorldSnapshots, HaveTheSameFutureAfterAnyCalls) {
     using Real = typename TypeParam::Real;
-    for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(8, 80)); ++seed)
-        for (const auto numbers : {Numbers::usual, Numbers::extreme}) {
-            RandomCalls<typename TypeParam::World> calls(seed, numbers);
-            for (int round = 0; round < 12; ++round) {
-                for (int i = calls.below(4); i > 0; --i) calls.call();
-                const Bytes saved = save(calls.world);
-                typename TypeParam::World restored;
-                const auto error = restore(restored, saved);
-                ASSERT_FALSE(error) << error->text() << ", seed " << seed << ", round " << round;
+    for (std::uint64_t seed = 0; seed < std::uint64_t(few_or_many(8, 80)); ++seed) {
+        RandomCalls<typename TypeParam::World> calls(seed);
+        for (int round = 0; round < 12; ++round) {
+            for (int i = calls.below(4); i > 0; --i) calls.call();
+            const Bytes saved = save(calls.world);
+            typename TypeParam::World restored;
+            const auto error = restore(restored, saved);
+            ASSERT_FALSE(error) << error->text() << ", seed " << seed << ", round " << round;
+            ASSERT_EQ(state_hash(restored), state_hash(calls.world)) << "seed " << seed << ", round " << round;
+            ASSERT_EQ(save(restored), saved) << "saving what was restored gives the same bytes";
+            for (int i = calls.below(3); i >= 0; --i) {
+                step(calls.world, Real(1.0 / 60));
+                step(restored, Real(1.0 / 60));
                 ASSERT_EQ(state_hash(restored), state_hash(calls.world)) << "seed " << seed << ", round " << round;
-                ASSERT_EQ(save(restored), saved) << "saving what was restored gives the same bytes";
-                for (int i = calls.below(3); i >= 0; --i) {
-                    step(calls.world, Real(1.0 / 60));
-                    step(restored, Real(1.0 / 60));
-                    ASSERT_EQ(state_hash(restored), state_hash(calls.world)) << "seed " << seed << ", round " << round;
-                }
-                for (const auto id : calls.particles)
-                    ASSERT_EQ(row_of(restored, id), row_of(calls.world, id)) << "ids hold in what is restored";
             }
+            for (const auto id : calls.particles)
+                ASSERT_EQ(row_of(restored, id), row_of(calls.world, id)) << "ids hold in what is restored";
         }
+    }
 }
 
 TYPED_TEST(WorldSnapshots, HandOutNoIdTwice) {

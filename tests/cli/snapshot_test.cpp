@@ -1,0 +1,124 @@
+#include "tests/cli/command.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+/// `run --save`, `record`, `replay` and `diff`.
+namespace sinew::cli_test::SINEW_TEST_FILE {
+namespace {
+
+using nlohmann::json;
+
+std::string scratch(const std::string& name) {
+    return (std::filesystem::path(testing::TempDir()) / ("sinew_snapshot_" + name)).string();
+}
+
+std::string bytes_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+void write(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+std::string hash_of(const Arguments& arguments) {
+    auto all = arguments;
+    all.push_back("--json");
+    const auto outcome = sinew(all);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.code == 0 ? json::parse(outcome.last_line())["hash"].get<std::string>() : "";
+}
+
+TEST(SavedRun, GoesOnAsIfItHadNeverStopped) {
+    const auto path = scratch("at.sinew");
+    const auto whole = hash_of({"run", "ragdoll", "--seconds", "2"});
+    ASSERT_EQ(sinew({"run", "ragdoll", "--save", path, "--at", "0.7"}).code, 0);
+    EXPECT_EQ(hash_of({"run", path, "--seconds", "2"}), whole);
+    EXPECT_EQ(hash_of({"run", "ragdoll", "--save", path, "--at", "1", "--seconds", "2"}), whole);
+    EXPECT_EQ(hash_of({"run", path, "--seconds", "2", "--threads", "3"}), whole);
+    const auto twice = scratch("twice.sinew");
+    ASSERT_EQ(sinew({"run", path, "--save", twice, "--at", "1.5"}).code, 0);
+    EXPECT_EQ(hash_of({"run", twice, "--seconds", "2"}), whole);
+}
+
+TEST(SavedRun, ThatIsDamagedIsRefusedWithThePlace) {
+    const auto path = scratch("damaged.sinew");
+    ASSERT_EQ(sinew({"run", "ragdoll", "--save", path, "--at", "0.5"}).code, 0);
+    const auto whole = bytes_of(path);
+    for (const auto& [bytes, words] :
+         {std::pair{whole.substr(0, whole.size() / 2), "ends within"},
+          std::pair{whole.substr(0, whole.size() - 9) + std::string(9, 'x'), "damaged: the checksum"}}) {
+        write(path, bytes);
+        const auto outcome = sinew({"run", path});
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_TRUE(has(outcome.err, words));
+        EXPECT_TRUE(has(outcome.err, path));
+    }
+    write(path, whole);
+    EXPECT_EQ(sinew({"run", path, "solver.substeps=3"}).code, 2);
+    EXPECT_EQ(sinew({"run", "ragdoll", "--at", "1"}).code, 2);
+    EXPECT_EQ(sinew({"run", "ragdoll", "--save", "/no/such\x01/folder/at.sinew", "--at", "0.1"}).code, 1);
+}
+
+TEST(Recordings, AreReplayedAndTellWhereTheyPart) {
+    const auto path = scratch("run.rec");
+    ASSERT_EQ(sinew({"record", "ragdoll", "-o", path, "--seconds", "1"}).code, 0);
+    const auto same = sinew({"replay", path, "--json"});
+    ASSERT_EQ(same.code, 0) << same.err;
+    EXPECT_TRUE(json::parse(same.last_line())["same"].get<bool>());
+    EXPECT_EQ(json::parse(same.last_line())["hash"], hash_of({"run", "ragdoll", "--seconds", "1"}));
+    const auto whole = bytes_of(path);
+    write(path, whole.substr(0, whole.size() - 3));
+    const auto early = sinew({"replay", path});
+    EXPECT_EQ(early.code, 0);
+    EXPECT_TRUE(has(early.err, "ends within an entry"));
+    auto flipped = whole;
+    flipped[flipped.size() / 2] ^= 1;
+    write(path, flipped);
+    const auto refused = sinew({"replay", path});
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_TRUE(has(refused.err, "damaged"));
+    EXPECT_EQ(sinew({"record", "ragdoll"}).code, 2) << "where to?";
+}
+
+TEST(Recordings, OfAKilledProgramAreWholeUpToThere) {
+    const auto path = scratch("killed.rec");
+    std::filesystem::remove(path);
+    {
+        Running running({"record", "ragdoll", "-o", path, "--seconds", "100000"}, {});
+        while (!std::filesystem::exists(path) || std::filesystem::file_size(path) < 5000) {
+        }
+        running.kill();
+        running.wait();
+    }
+    const auto outcome = sinew({"replay", path, "--json"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_GT(json::parse(outcome.last_line())["steps"].get<int>(), 100);
+}
+
+TEST(Diff, TellsTheFirstStepAndField) {
+    const auto one = scratch("one.json"), other = scratch("other.json");
+    const auto scene = [](const char* speed) {
+        return std::string(R"({"sinew": 1, "figures": [{"name": "f", "particles": {"a": {"at": [0, 1]}, "b": {"at":
+            [5, 5], "velocity": [)") +
+               speed + R"(, 0]}}}]})";
+    };
+    write(one, scene("3"));
+    write(other, scene("3.5"));
+    EXPECT_EQ(sinew({"diff", one, one, "--seconds", "0.5"}).code, 0);
+    const auto outcome = sinew({"diff", one, other, "--json"});
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    const auto found = json::parse(outcome.last_line());
+    EXPECT_EQ(found["step"], 0);
+    EXPECT_EQ(found["row"], 1);
+    EXPECT_EQ(found["particle"], "f/b");
+    EXPECT_EQ(sinew({"diff", one}).code, 2);
+}
+
+} // namespace
+} // namespace sinew::cli_test::SINEW_TEST_FILE
