@@ -6,11 +6,36 @@
 #include "apps/cli/stepping.h"
 #include "canvas/interrupt.h"
 #include "player/files.h"
+#include "player/recording.h"
 
 #include <fmt/format.h>
 
 namespace sinew::cli {
 namespace {
+
+/// Writes what happens to a file.
+class RecordingWitness final : public Witness {
+  public:
+    RecordingWitness(const std::string& path, const Session& session, const std::string& from)
+        : recorder_(play::append_to(path), session, from) {
+        check();
+    }
+    void act(const play::Action& action, const Session& session) override {
+        recorder_.act(action, session);
+        check();
+    }
+    void step(const Session& session) override {
+        recorder_.step(session);
+        check();
+    }
+
+  private:
+    play::Recorder recorder_;
+
+    void check() const {
+        if (const auto& failure = recorder_.failure()) throw CommandError{bad_input, "sinew: " + *failure + "\n"};
+    }
+};
 
 class RecordCommand final : public Command {
     Manual manual() const override {
@@ -40,8 +65,7 @@ class RecordCommand final : public Command {
         Run run(std::move(opened.session), threads.value_or(0));
         if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
         canvas::catch_interrupts();
-        run.recorder = std::make_shared<play::Recorder>(play::append_to(output), run.session, opened.from);
-        if (const auto& failure = run.recorder->failure()) throw CommandError{bad_input, "sinew: " + *failure + "\n"};
+        run.witness = std::make_shared<RecordingWitness>(output, run.session, opened.from);
         const auto& scene = run.session.scene();
         const auto begun = run.steps(), last = steps_until(scene, seconds.value_or(scene.seconds));
         canvas::Progress progress(title_of(words.scene), std::size_t(last));

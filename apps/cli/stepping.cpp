@@ -3,7 +3,6 @@
 #include "sinew/simulation.h"
 #include "sinew/solver/simd/kernel.h"
 
-#include "apps/cli/command.h"
 #include "apps/cli/console.h"
 #include "canvas/interrupt.h"
 
@@ -53,12 +52,10 @@ void Run::step() {
     if (pointer)
         for (const auto& action : pointer->moves(session)) {
             play::carry_out(action, session);
-            if (recorder) recorder->act(action, session);
+            if (witness) witness->act(action, session);
         }
     session.step();
-    if (!recorder) return;
-    recorder->step(session);
-    if (const auto& failure = recorder->failure()) throw CommandError{bad_input, "sinew: " + *failure + "\n"};
+    if (witness) witness->step(session);
 }
 
 void Run::advance(std::uint64_t steps) {

@@ -4,7 +4,7 @@
 
 #include "apps/cli/pointer_file.h"
 #include "canvas/progress.h"
-#include "player/recording.h"
+#include "player/action.h"
 
 #include <cstdint>
 #include <memory>
@@ -16,6 +16,14 @@ namespace sinew::cli {
 std::uint64_t steps_before(const Scene& scene, double seconds);
 /// Number of steps until at least `seconds` are simulated.
 std::uint64_t steps_until(const Scene& scene, double seconds);
+
+/// Told of all that happens to a run's session, just after it.
+class Witness {
+  public:
+    virtual ~Witness() = default;
+    virtual void act(const play::Action& action, const Session& session) = 0;
+    virtual void step(const Session& session) = 0;
+};
 
 /// A session with a count of steps.
 class Run {
@@ -33,8 +41,8 @@ class Run {
     std::uint64_t steps() const { return taken; }
 
     Session session;
-    std::optional<PointerPath> pointer;       ///< drives the session's pointer
-    std::shared_ptr<play::Recorder> recorder; ///< records all that happens
+    std::optional<PointerPath> pointer; ///< drives the session's pointer
+    std::shared_ptr<Witness> witness;
 
   private:
     std::uint64_t taken = 0;
