@@ -43,7 +43,7 @@ bool is_region(const sinew_region& region) {
 template <int D, class Real> collide::Shape<D, Real> shape_of(const sinew_region& region) {
     const auto half = vector_of<D, Real>(region.half);
     if (half == Vec<D, Real>{}) return collide::Sphere<D, Real>{Real(region.radius)};
-    return collide::Box<D, Real>{half};
+    return collide::Box<D, Real>{half * Real(2)};
 }
 template <int D, class Real> collide::Pose<D, Real> pose_of(const sinew_region& region) {
     return {vector_of<D, Real>(region.center), rotation_of<D, Real>(region.turn, &region.axis)};

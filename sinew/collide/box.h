@@ -11,18 +11,21 @@ namespace sinew::collide {
 /// Box about the origin of its pose, turned with the pose.
 template <int D, class Real> struct Box {
     static constexpr std::string_view name = "box";
-    Vec<D, Real> half = Vec<D, Real>::map([](int) { return Real(0.5); }); ///< half of the edge lengths
+    Vec<D, Real> size = Vec<D, Real>::map([](int) { return Real(1); }); ///< edge lengths, as in scenes
+
+    Vec<D, Real> half() const { return size * Real(0.5); }
 
     SurfacePoint<D, Real> nearest(const Vec<D, Real>& point) const {
-        const auto inner = Vec<D, Real>::map([&](int i) { return clamp(point[i], -half[i], half[i]); });
+        const auto far = half();
+        const auto inner = Vec<D, Real>::map([&](int i) { return clamp(point[i], -far[i], far[i]); });
         if (inner == point) return nearest_face(point);
         return sharp_point(inner, point, Vec<D, Real>::axis(1), feature(point));
     }
-    template <class T> Box<D, T> as() const { return {cast<T>(half)}; }
+    template <class T> Box<D, T> as() const { return {cast<T>(size)}; }
     BoundingBox<D, Real> bounds(const Pose<D, Real>& pose) const {
         Vec<D, Real> extent{};
         for (int i = 0; i < D; ++i) {
-            const auto edge = pose.turn(Vec<D, Real>::axis(i) * half[i]);
+            const auto edge = pose.turn(Vec<D, Real>::axis(i) * (size[i] * Real(0.5)));
             extent += Vec<D, Real>::map([&](int k) { return absolute(edge[k]); });
         }
         return {pose.position - extent, pose.position + extent};
@@ -30,11 +33,12 @@ template <int D, class Real> struct Box {
 
   private:
     SurfacePoint<D, Real> nearest_face(const Vec<D, Real>& inside) const {
+        const auto far = half();
         int face = 0;
         for (int i = 1; i < D; ++i)
-            if (half[i] - absolute(inside[i]) < half[face] - absolute(inside[face])) face = i;
+            if (far[i] - absolute(inside[i]) < far[face] - absolute(inside[face])) face = i;
         const Real side = inside[face] < Real(0) ? Real(-1) : Real(1);
-        const Real distance = absolute(inside[face]) - half[face];
+        const Real distance = absolute(inside[face]) - far[face];
         const auto normal = Vec<D, Real>::axis(face) * side;
         return {inside - normal * distance, normal, distance, number(face, side)};
     }
@@ -46,7 +50,7 @@ template <int D, class Real> struct Box {
     std::uint32_t feature(const Vec<D, Real>& point) const {
         std::uint32_t sum = 0;
         for (int i = 0; i < D; ++i)
-            if (absolute(point[i]) > half[i]) sum += number(i, point[i]);
+            if (absolute(point[i]) > size[i] * Real(0.5)) sum += number(i, point[i]);
         return sum;
     }
 };

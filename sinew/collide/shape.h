@@ -41,8 +41,8 @@ template <int D, class Real> BoundingBox<D, Real> bounds(const Shape<D, Real>& s
 
 /// Box in a shape's frame around a box in the world.
 template <int D, class Real> BoundingBox<D, Real> to_local(const Pose<D, Real>& pose, const BoundingBox<D, Real>& box) {
-    const auto center = (box.low + box.high) * Real(0.5), half = (box.high - box.low) * Real(0.5);
-    return Box<D, Real>{half}.bounds({pose.to_local(center), pose.rotation.inverse()});
+    const auto center = (box.low + box.high) * Real(0.5);
+    return Box<D, Real>{box.high - box.low}.bounds({pose.to_local(center), pose.rotation.inverse()});
 }
 
 /// Calls visit(part) for the convex parts of a shape that touch a box, both in the shape's frame.

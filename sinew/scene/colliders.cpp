@@ -40,7 +40,7 @@ template <int D, class Real> struct ShapesOf {
     Shapes operator()(const CapsuleShape& capsule) const {
         return {collide::Capsule<D, Real>{capsule.from.as<D, Real>(), capsule.to.as<D, Real>(), Real(capsule.radius)}};
     }
-    Shapes operator()(const BoxShape& box) const { return {collide::Box<D, Real>{box.size.as<D, Real>() * Real(0.5)}}; }
+    Shapes operator()(const BoxShape& box) const { return {collide::Box<D, Real>{box.size.as<D, Real>()}}; }
     Shapes operator()(const PolygonShape& polygon) const {
         Shapes shapes;
         if constexpr (D == 2)

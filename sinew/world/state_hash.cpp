@@ -96,7 +96,7 @@ class Digest {
     template <int D, class Real> void add_shape(const collide::Capsule<D, Real>& capsule) {
         add(capsule.a, capsule.b, capsule.radius);
     }
-    template <int D, class Real> void add_shape(const collide::Box<D, Real>& box) { add(box.half); }
+    template <int D, class Real> void add_shape(const collide::Box<D, Real>& box) { add(box.half()); }
     template <class Real> void add_shape(const collide::Polygon<2, Real>& polygon) { add(polygon.corners); }
     template <class Real> void add_shape(const collide::Chain<2, Real>& chain) { add(chain.points, chain.is_closed); }
     template <class Real> void add_shape(const collide::Mesh<3, Real>& mesh) {
