@@ -2,6 +2,7 @@
 
 #include "sinew/scene/check.h"
 #include "sinew/scene/text.h"
+#include "sinew/scene/types.h"
 
 #include <algorithm>
 
@@ -13,9 +14,13 @@ constexpr std::string_view source = "the scene";
 /// Opens a changed document, with the models already loaded for the scene.
 Edited read_again(Document document, const Scene& scene) {
     const auto model = [&](const std::string& name, const Limits&) -> ReadModel {
+        std::shared_ptr<const MeshModel> known;
         for (const auto& figure : scene.figures)
-            if (const auto* mesh = std::get_if<Mesh>(&figure.made); mesh && mesh->model && mesh->file == name)
-                return {mesh->model, "", ""};
+            detail::visit_held(figure.made, [&](const auto& made) {
+                if constexpr (requires { made.model; })
+                    if (made.file == name) known = made.model;
+            });
+        if (known) return {known, "", ""};
         return {nullptr, "no mesh of the scene is of " + in_quotes(name), "open the scene again to read another file"};
     };
     if (auto opened = open_scene(document, {}, model)) return {std::move(opened->scene), "", {}};

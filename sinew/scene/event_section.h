@@ -154,7 +154,56 @@ struct RemoveEvent {
     std::vector<std::string> constraints;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.constraints, Field{.name = "remove", .help = "Constraints, as figure/name", .required = true});
+        visit(self.constraints, Field{.name = "remove",
+                                      .help = "Constraints, as figure/name; figure/stem_* for all names with that stem",
+                                      .required = true});
+    }
+};
+
+/// New values for constraints while a scene runs; absent members keep their values.
+struct AdjustEvent {
+    static constexpr std::string_view name = "adjust";
+    static constexpr std::string_view about = "New values for constraints: their limits, compliance and strength.";
+    std::vector<std::string> constraints;
+    std::optional<double> rest, low, high, compliance, max_force, breaking_strain, break_force;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.constraints, Field{.name = "adjust",
+                                      .help = "Constraints, as figure/name; figure/stem_* for all names with that stem",
+                                      .required = true});
+        visit(self.rest, Field{.name = "rest", .help = "Value of the measure to keep (degrees for an angle)"});
+        visit(self.low, Field{.name = "low", .help = "Smallest value of the measure"});
+        visit(self.high, Field{.name = "high", .help = "Largest value of the measure"});
+        visit(self.compliance,
+              Field{.name = "compliance", .help = "Compliance (1/stiffness); 0 is rigid", .low = 0, .high = 1e12});
+        visit(self.max_force,
+              Field{.name = "max_force", .help = "Largest force; 0 for no limit", .low = 0, .high = 1e15});
+        visit(self.breaking_strain,
+              Field{.name = "breaking_strain", .help = "Strain at which it tears; 0 for never", .low = 0, .high = 1e6});
+        visit(self.break_force, Field{.name = "break_force",
+                                      .help = "Force above which it tears; 0 for never",
+                                      .unit = unit::force,
+                                      .low = 0,
+                                      .high = 1e15});
+    }
+};
+
+struct ResizeEvent {
+    static constexpr std::string_view name = "resize";
+    static constexpr std::string_view about = "A new collision radius of particles.";
+    std::string particles;
+    double radius = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.particles, Field{.name = "resize",
+                                    .help = "Particle, as figure/name; figure/stem_* for all names with that stem",
+                                    .required = true});
+        visit(self.radius, Field{.name = "radius",
+                                 .help = "Collision radius",
+                                 .unit = unit::length,
+                                 .low = 0,
+                                 .high = 1e6,
+                                 .required = true});
     }
 };
 
@@ -235,7 +284,7 @@ struct EventSection {
     double every = 0;
     int times = 0;
     std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, KickEvent, GustEvent, CutEvent, RemoveEvent, JoinEvent,
-                 SetEvent, NoteEvent>
+                 AdjustEvent, ResizeEvent, SetEvent, NoteEvent>
         event;
 
     /// Time of the first occurrence, or before which no contact counts.

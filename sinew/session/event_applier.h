@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/constraint/kind_table.h"
 #include "sinew/math/random.h"
 #include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
@@ -67,9 +68,20 @@ template <class WorldT> struct EventApplier {
     std::string operator()(const RemoveEvent& removal) const {
         std::vector<ConstraintId> ids;
         for (const auto& name : removal.constraints)
-            if (const auto id = find_constraint(world, name)) ids.push_back(*id);
+            for (const auto& id : find_constraints(world, name)) ids.push_back(id);
         cut(world, std::span<const ConstraintId>(ids));
         return removal.constraints.empty() ? "" : removal.constraints.front();
+    }
+
+    std::string operator()(const AdjustEvent& event) const {
+        for (const auto& name : event.constraints)
+            for (const auto& id : find_constraints(world, name)) adjust(id, event);
+        return event.constraints.empty() ? "" : event.constraints.front();
+    }
+
+    std::string operator()(const ResizeEvent& event) const {
+        for (const auto id : find_particles(world, event.particles)) set_radius(world, id, Real(event.radius));
+        return event.particles;
     }
 
     std::string operator()(const SetEvent& set) const {
@@ -91,6 +103,30 @@ template <class WorldT> struct EventApplier {
     }
 
   private:
+    void adjust(const ConstraintId& id, const AdjustEvent& to) const {
+        constexpr Real never = limit::measure<Real>;
+        const auto unless_zero = [](double value) { return value > 0 ? Real(value) : never; };
+        if (to.rest || to.low || to.high) set_limits(world, id, limits_after(id, to));
+        if (to.compliance) set_compliance(world, id, Real(*to.compliance));
+        if (to.max_force) set_max_force(world, id, unless_zero(*to.max_force));
+        if (to.breaking_strain) set_breaking_strain(world, id, unless_zero(*to.breaking_strain));
+        if (to.break_force) set_break_force(world, id, unless_zero(*to.break_force));
+    }
+
+    /// Limits of a constraint after an event: a limit that the event leaves out stays, unless the other one passes it.
+    Interval<Real> limits_after(const ConstraintId& id, const AdjustEvent& to) const {
+        Interval<Real> limits{};
+        visit_table(world, id.kind, [&](const auto& table) {
+            if (const auto row = table.handles.find(id.id)) limits = {table.low(*row), table.high(*row)};
+        });
+        const auto& kind = kinds_in<D>[std::size_t(id.kind)];
+        const auto value = [&](double in_file) { return Real(in_file) * (kind.angle ? pi<Real> / 180 : Real(1)); };
+        if (to.rest) return exactly(value(*to.rest));
+        if (to.low) limits.low = value(*to.low), limits.high = max(limits.high, limits.low);
+        if (to.high) limits.high = value(*to.high), limits.low = min(limits.low, limits.high);
+        return limits;
+    }
+
     /// Applies an impulse to a figure as one body: every movable particle gets the same change of velocity.
     void strike(const Figure& figure, const Vec<D, Real>& by) const {
         Real mass = 0;

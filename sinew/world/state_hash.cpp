@@ -108,7 +108,11 @@ class Digest {
     }
 };
 
+/// Drives and break forces, of the rows that have one.
 template <class Table> void add_drives(const Table& table, Digest& digest) {
+    for (Row row = 0; row < table.size(); ++row)
+        if (table.break_force[row] < limit::measure<std::decay_t<decltype(table.low(row))>>)
+            digest.add(row, table.break_force[row]);
     for (Row row = 0; row < table.size(); ++row)
         if (table.gives(row) || table.damping_time[row] != 0 || table.motorized[row])
             digest.add(row, table.max_force[row], table.damping_time[row], table.motor_speed[row],
