@@ -34,13 +34,13 @@ struct Dimensions {
 
 /// Definition of a kind for people. Units follow from its length_power.
 struct KindManual {
-    std::string_view about;     ///< a sentence
-    std::string_view drawing;   ///< lines of text
-    std::string_view particles; ///< what each one is, in order
-    std::string_view zero;      ///< where the measure is 0
-    std::string_view sign;      ///< which way it grows, and its range
-    std::string_view use;       ///< what rest, low and high make of it
-    std::string_view example;   ///< JSON of a constraint
+    std::string_view about{};     ///< a sentence
+    std::string_view drawing{};   ///< lines of text
+    std::string_view particles{}; ///< what each one is, in order
+    std::string_view zero{};      ///< where the measure is 0
+    std::string_view sign{};      ///< which way it grows, and its range
+    std::string_view use{};       ///< what rest, low and high make of it
+    std::string_view example{};   ///< JSON of a constraint
 };
 
 enum class DrawnAs : std::uint8_t { nothing, line, fill };
