@@ -230,7 +230,7 @@ template <int D, class Real> class WorldCheck {
         expect(is_finite(capsule.a) && is_finite(capsule.b), "colliders", "not a finite number");
     }
     void check_shape(const collide::Box<D, Real>& box) {
-        for (int i = 0; i < D; ++i) size_within(box.half[i]);
+        for (int i = 0; i < D; ++i) size_within(box.size[i]);
     }
     void check_shape(const collide::Polygon<2, Real>& polygon) {
         finite_points(polygon.corners);

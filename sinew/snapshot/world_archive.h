@@ -82,8 +82,8 @@ template <class Archive, int D, class Real> void archive(Archive& at, collide::C
     archive_all(at, a, b, radius);
 }
 template <class Archive, int D, class Real> void archive(Archive& at, collide::Box<D, Real>& box) {
-    auto& [half] = box;
-    archive(at, half);
+    auto& [size] = box;
+    archive(at, size);
 }
 template <class Archive, class Real> void archive(Archive& at, collide::Polygon<2, Real>& polygon) {
     auto& [corners] = polygon;
