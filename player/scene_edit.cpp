@@ -44,7 +44,7 @@ RemoveEvent removed_constraints(const AnyWorld& world) {
                 for (std::size_t i = 0; i < figure.constraints.size(); ++i)
                     if (!constraint_state(any, figure.constraints[i]))
                         if (auto name = constraint_name(figure, i); !name.empty())
-                            removal.constraints.push_back(std::move(name));
+                            removal.names.push_back(std::move(name));
         },
         world);
     return removal;
@@ -54,7 +54,7 @@ RemoveEvent removed_constraints(const AnyWorld& world) {
 
 std::string text_of(const Session& session) {
     auto scene = session.scene();
-    if (auto removal = removed_constraints(session.world()); !removal.constraints.empty())
+    if (auto removal = removed_constraints(session.world()); !removal.names.empty())
         scene.events.insert(scene.events.begin(), EventSection{.at = 0.0, .on = {}, .event = std::move(removal)});
     return json::to_text(to_json(scene)) + "\n";
 }

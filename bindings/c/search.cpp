@@ -107,9 +107,12 @@ sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew
         const collide::Filter filter{.layers = ~std::uint32_t(0), .mask = mask};
         const auto met = cast_ray(world, start, vector_of<D, Real>(to) - start, Real(radius), filter);
         if (!met) return fail(SINEW_NOT_FOUND, "nothing is on the way");
-        *hit = {double(met->time), point_in_c(met->point), point_in_c(met->normal),
+        *hit = {double(met->time),
+                point_in_c(met->point),
+                point_in_c(met->normal),
                 met->is_collider || met->is_plane ? SINEW_NO_ID : number_of(met->particle),
-                met->is_collider ? number_of(met->collider) : SINEW_NO_ID};
+                met->is_collider ? number_of(met->collider) : SINEW_NO_ID,
+                met->line_end ? number_of(*met->line_end) : SINEW_NO_ID};
         return SINEW_OK;
     });
 }

@@ -62,6 +62,18 @@ template <class Part, int D, class Real> bool owns(const Part& part, const Surfa
         return true;
 }
 
+/// True for a feature inside a flat face: not for corners, edges and round surfaces.
+template <int D, class Real> bool is_on_face(const Shape<D, Real>& shape, std::uint32_t feature) {
+    return std::visit(
+        [&](const auto& held) {
+            if constexpr (requires { held.is_face(feature); })
+                return held.is_face(feature);
+            else
+                return false;
+        },
+        shape);
+}
+
 template <int D, class Real>
 SurfacePoint<D, Real> to_world(const Pose<D, Real>& pose, const SurfacePoint<D, Real>& local) {
     return {pose.to_world(local.point), pose.turn(local.normal), local.distance, local.feature};

@@ -174,7 +174,7 @@ template <class WorldT> class ColliderPainter {
     template <class Colliders> void draw_solids(const Colliders& colliders) {
         Faces faces;
         for (const auto& collider : colliders)
-            if (!collider.is_sensor)
+            if (!collider.is_sensor && collider.is_enabled())
                 std::visit([&](const auto& shape) { collect(faces, shape, collider.target); }, collider.shape);
         draw_faces(faces);
     }
@@ -182,7 +182,8 @@ template <class WorldT> class ColliderPainter {
     template <class Colliders> void draw_outlines(const Colliders& colliders) {
         for (std::size_t begin = 0, end = 0; begin < colliders.size(); begin = end) {
             while (end < colliders.size() && (end == begin || are_parts(colliders[begin], colliders[end]))) ++end;
-            if (!colliders[begin].is_sensor) draw_section(std::span(colliders).subspan(begin, end - begin));
+            if (!colliders[begin].is_sensor && colliders[begin].is_enabled())
+                draw_section(std::span(colliders).subspan(begin, end - begin));
         }
     }
 

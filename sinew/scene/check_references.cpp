@@ -264,9 +264,32 @@ template <int D, class Real> class ReferenceCheck {
     }
     void event(const ResizeEvent& resize, std::size_t i) { particle(resize.particles, under("events", i, "resize")); }
     void event(const RemoveEvent& removal, std::size_t i) {
-        for (std::size_t k = 0; k < removal.constraints.size(); ++k)
-            if (!is_joined_later(removal.constraints[k]))
-                constraint(removal.constraints[k], under("events", i, "remove") + format_text("/{}", k));
+        for (std::size_t k = 0; k < removal.names.size(); ++k) {
+            const auto& name = removal.names[k];
+            const auto place = under("events", i, "remove") + format_text("/{}", k);
+            if (name.find('/') == std::string::npos) {
+                if (!find_figure(world_, name) && !collider_called(world_, name)) side(name, place);
+            } else if (!is_joined_later(name)) {
+                constraint(name, place);
+            }
+        }
+    }
+    void event(const AddEvent& more, std::size_t i) {
+        if (!find_figure(world_, more.figure))
+            unknown("figure", more.figure, under("events", i, "add"), figure_names());
+    }
+    void event(const ColliderEvent& change, std::size_t i) {
+        const auto place = under("events", i, "collider");
+        const auto section = std::ranges::find(scene_.colliders, change.collider, &ColliderSection::name);
+        if (section == scene_.colliders.end() || change.collider.empty()) {
+            std::vector<std::string_view> names;
+            for (const auto& one : scene_.colliders)
+                if (!one.name.empty()) names.emplace_back(one.name);
+            return unknown("collider", change.collider, place, std::move(names));
+        }
+        if (section->motion && (change.to || change.turn))
+            document_.error(place, format_text("\"{}\" has a motion of its own", change.collider),
+                            "an event moves what has none");
     }
     template <class Event> void event(const Event&, std::size_t) {}
 };

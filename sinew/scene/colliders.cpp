@@ -226,6 +226,7 @@ std::vector<collide::Collider<D, Real>> colliders_of(const ColliderSection& sect
                                             .friction = Real(section.friction),
                                             .filter = filter_of(section.layers, section.touches),
                                             .is_sensor = section.sensor,
+                                            .surface_velocity = section.surface_velocity.as<D, Real>(),
                                             .name = section.name,
                                             .tag = std::uint32_t(index)};
         if (section.one_way) collider.one_way = collider.target.turn_back(section.one_way->as<D, Real>());

@@ -197,6 +197,8 @@ struct ContactSection {
     bool itself = false;
     std::string cloth{cloth_contact_names[0]};
     double friction = 0.5;
+    double bounce = 0;
+    std::optional<double> wall_friction;
     std::vector<int> layers{0};
     std::optional<std::vector<int>> touches;
 
@@ -218,6 +220,15 @@ struct ContactSection {
         visit(self.friction,
               Field{.name = "friction",
                     .help = "Coefficient of Coulomb friction against other figures; the smaller one counts",
+                    .low = 0,
+                    .high = 100});
+        visit(self.bounce, Field{.name = "bounce",
+                                 .help = "Coefficient of restitution on walls and colliders; the larger one counts",
+                                 .low = 0,
+                                 .high = 1});
+        visit(self.wall_friction,
+              Field{.name = "wall_friction",
+                    .help = "Coefficient of Coulomb friction against walls and colliders; theirs if left out",
                     .low = 0,
                     .high = 100});
         visit(self.layers, Field{.name = "layers", .help = "Layers it belongs to", .low = 0, .high = 31});

@@ -2,9 +2,12 @@
 
 #include "sinew/constraint/kind_table.h"
 #include "sinew/math/random.h"
+#include "sinew/scene/colliders.h"
 #include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
 #include "sinew/topology/cut.h"
+#include "sinew/world/colliders.h"
+#include "sinew/world/edit.h"
 
 namespace sinew {
 
@@ -67,10 +70,25 @@ template <class WorldT> struct EventApplier {
 
     std::string operator()(const RemoveEvent& removal) const {
         std::vector<ConstraintId> ids;
-        for (const auto& name : removal.constraints)
+        for (const auto& name : removal.names) {
             for (const auto& id : find_constraints(world, name)) ids.push_back(id);
+            if (name.find('/') != std::string::npos) continue;
+            if (const auto figure = find_figure(world, name)) remove_figure(world, *figure);
+            while (const auto collider = collider_called(world, name)) remove_collider(world, *collider);
+        }
         cut(world, std::span<const ConstraintId>(ids));
-        return removal.constraints.empty() ? "" : removal.constraints.front();
+        return removal.names.empty() ? "" : removal.names.front();
+    }
+
+    std::string operator()(const ColliderEvent& change) const {
+        for (auto& collider : world.colliders) {
+            if (collider.name != change.collider || collider.tag >= scene.colliders.size()) continue;
+            const auto& section = scene.colliders[collider.tag];
+            if (change.enabled)
+                collider.filter = *change.enabled ? filter_of(section.layers, section.touches) : collide::Filter{0, 0};
+            if (change.surface_velocity) collider.surface_velocity = change.surface_velocity->template as<D, Real>();
+        }
+        return change.collider;
     }
 
     std::string operator()(const AdjustEvent& event) const {

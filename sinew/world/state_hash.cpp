@@ -13,8 +13,10 @@ class Digest {
     std::uint64_t value() const { return hash_.value(); }
 
     template <int D, class Real> void add_but_target(const collide::Collider<D, Real>& collider) {
-        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name, tag] = collider;
+        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, belt, name, tag] =
+            collider;
         add(shape.index(), from, restitution, friction, filter.layers, filter.mask, one_way, is_sensor);
+        if (belt != Vec<D, Real>{}) add(belt);
         std::visit([&](const auto& held) { add_shape(held); }, shape);
     }
 
@@ -85,8 +87,10 @@ class Digest {
         add(position, rotation.number);
     }
     template <int D, class Real> void add_one(const collide::Collider<D, Real>& collider) {
-        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name, tag] = collider;
+        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, belt, name, tag] =
+            collider;
         add(shape.index(), from, target, restitution, friction, filter.layers, filter.mask, one_way, is_sensor);
+        if (belt != Vec<D, Real>{}) add(belt);
         std::visit([&](const auto& held) { add_shape(held); }, shape);
     }
     template <int D, class Real> void add_shape(const collide::HalfSpace<D, Real>& plane) {
@@ -161,8 +165,11 @@ void add_figures(const std::vector<Figure>& figures, Digest& digest) {
         if (figures[i].cloth != ClothContactKind::spheres) digest.add(i, figures[i].cloth);
     for (std::size_t i = 0; i < figures.size(); ++i)
         if (figures[i].integrator) digest.add(i, *figures[i].integrator);
-    for (std::size_t i = 0; i < figures.size(); ++i)
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        if (figures[i].bounce != 0) digest.add(i, figures[i].bounce);
+        if (figures[i].wall_friction) digest.add(i, *figures[i].wall_friction);
         if (figures[i].internal_damping != 0) digest.add(i, figures[i].internal_damping);
+    }
 }
 
 /// Positions of the sleepers, by runs of rows.

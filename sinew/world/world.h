@@ -304,7 +304,7 @@ inline constexpr int usual_substeps = 16;
 /// Sleep of bodies at rest, by island (physical mode).
 template <class Real> struct SleepRules {
     Real speed = 0; ///< speed below which a particle counts as at rest, length per time; 0: nothing falls asleep
-    Real delay = 0; ///< time at rest before an island falls asleep, time units
+    Real delay = Real(0.5); ///< time at rest before an island falls asleep, time units
 };
 
 template <class Real> struct Settings {
