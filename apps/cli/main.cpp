@@ -89,7 +89,8 @@ void give_back_at_once() {
 
 int run_or_explain(Arguments arguments) {
     if (!has_any_simd()) {
-        print_error(error_text("sinew", "this build has no kernels for this processor", "build it with SINEW_KERNELS=one"));
+        print_error(
+            error_text("sinew", "this build has no kernels for this processor", "build it with SINEW_KERNELS=one"));
         return bad_input;
     }
     try {

@@ -382,8 +382,8 @@ SINEW_API sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_
                                             sinew_constraint* constraint);
 SINEW_API sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constraint constraint);
 
-/* New values for a constraint while it runs. Limits as in sinew_constraint_spec, but low <= high; those of an angle in 3D
- * are not negative. Zero: `compliance` rigid, `max_force` without limit, `strain` and `force` never breaks. */
+/* New values for a constraint while it runs. Limits as in sinew_constraint_spec, but low <= high; those of an angle in
+ * 3D are not negative. Zero: `compliance` rigid, `max_force` without limit, `strain` and `force` never breaks. */
 SINEW_API sinew_status sinew_set_limits(sinew_simulation simulation, sinew_constraint constraint, double low,
                                         double high);
 SINEW_API sinew_status sinew_set_compliance(sinew_simulation simulation, sinew_constraint constraint,
@@ -393,8 +393,8 @@ SINEW_API sinew_status sinew_set_breaking_strain(sinew_simulation simulation, si
                                                  double strain);
 /* Force, in newtons (N m for an angle), above which a constraint breaks, rigid or not. */
 SINEW_API sinew_status sinew_set_break_force(sinew_simulation simulation, sinew_constraint constraint, double force);
-/* Moves the limits at a rate, per second: a winch, a motor; 0 stops it. SINEW_BAD_ARGUMENT for a motor of unlimited force
- * beside a rigid constraint of the same particles: give it a max_force first. */
+/* Moves the limits at a rate, per second: a winch, a motor; 0 stops it. SINEW_BAD_ARGUMENT for a motor of unlimited
+ * force beside a rigid constraint of the same particles: give it a max_force first. */
 SINEW_API sinew_status sinew_drive(sinew_simulation simulation, sinew_constraint constraint, double rate);
 
 SINEW_API sinew_status sinew_set_position(sinew_simulation simulation, sinew_particle particle, sinew_point position);
@@ -406,7 +406,8 @@ SINEW_API sinew_status sinew_set_radius(sinew_simulation simulation, sinew_parti
 SINEW_API sinew_status sinew_apply_force(sinew_simulation simulation, sinew_particle particle, sinew_point force);
 SINEW_API sinew_status sinew_apply_impulse(sinew_simulation simulation, sinew_particle particle, sinew_point impulse);
 
-/* Holds a particle where it is. A pin that holds it already, such as that of a rope's start, is replaced: its id is gone.
+/* Holds a particle where it is. A pin that holds it already, such as that of a rope's start, is replaced: its id is
+ * gone.
  */
 SINEW_API sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_particle particle, sinew_pin* pin);
 /* Target at the end of the next step, approached in a straight line. */

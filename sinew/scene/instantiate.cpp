@@ -91,8 +91,9 @@ template <int D, class Real> class WorldBuilder {
     template <class Prefab>
     FigureIndex build_figure(const Prefab& prefab, std::string_view name, const FigureSection& section) {
         if constexpr (Prefab::dimensions.include(D))
-            return build_checked(world_, prefab, name,
-                         Placement<D, Real>{.at = vector(section.at), .turn = section.turn, .up = up_of(scene_)});
+            return build_checked(
+                world_, prefab, name,
+                Placement<D, Real>{.at = vector(section.at), .turn = section.turn, .up = up_of(scene_)});
         else
             return no_figure;
     }

@@ -2,6 +2,7 @@
 
 #include "sinew/scene/scene.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -26,12 +27,26 @@ class ColliderMoves {
     /// Forgets the motions in a world that is gone.
     void clear() { moves_.clear(); }
 
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [moves] = self;
+        visit(moves);
+    }
+    /// False unless all motions are of colliders of this scene.
+    bool is_of(const Scene& scene) const {
+        return std::ranges::all_of(moves_, [&](const Move& move) { return move.section < scene.colliders.size(); });
+    }
+
   private:
     struct Move {
         std::size_t section = 0;
         Point from{}, to{};
         double from_turn = 0, to_turn = 0;
         double since = 0, duration = 0; ///< in the scene's unit of time
+
+        template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+            auto& [section, from, to, from_turn, to_turn, since, duration] = self;
+            visit(section, from, to, from_turn, to_turn, since, duration);
+        }
     };
     std::vector<Move> moves_;
 };

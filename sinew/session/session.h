@@ -143,9 +143,9 @@ class Session {
     /// compile until listed. Whoever writes calls is_sound() afterwards.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [scene, world, solver, images, focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to,
-               taken_over, grabs, blowing, history, islands, happenings, happening_count] = self;
-        visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, blowing, history,
-              islands, happenings, happening_count);
+               taken_over, grabs, collider_moves, blowing, history, islands, happenings, happening_count] = self;
+        visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, collider_moves,
+              blowing, history, islands, happenings, happening_count);
     }
     /// False unless all indices are of this scene and world.
     bool is_sound() const;

@@ -4,7 +4,7 @@
 /// word for each that is left out (CMakeLists.txt).
 ///
 ///     SINEW_INSTANTIATE(X)    X(D, Real) for every type of world: explicit instantiations
-///     SINEW_INSTANTIATE_2D(X) the same for those of two dimensions; SINEW_INSTANTIATE_3D of three
+///     SINEW_INSTANTIATE_2D(X) the same for those of two dimensions, and SINEW_INSTANTIATE_3D(X) for those of three
 #ifdef SINEW_NO_WORLD_2_FLOAT
 #define SINEW_WORLD_2_FLOAT(X)
 #else

@@ -123,7 +123,7 @@ TEST(Belt, CarriesABallAndACrate) {
     for (const double speed : {1.0, -2.0}) {
         FlatWorld<double> world;
         fall(world, 10);
-        add_collider(world, collide::Collider<2, double>{.shape = collide::Box<2, double>{{{50, 0.5}}},
+        add_collider(world, collide::Collider<2, double>{.shape = collide::Box<2, double>{{{100, 1}}},
                                                          .target = {{{0, -0.5}}, {}},
                                                          .friction = 0.5,
                                                          .surface_velocity = {{speed, 0}}});
