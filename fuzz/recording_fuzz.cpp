@@ -18,7 +18,7 @@ std::optional<Opened> opened(const std::string& text, const std::string&) {
 
 } // namespace
 
-/// Any bytes are read as a recording, whole or up to where they end, or refused; what is read is played.
+/// Any bytes are read as a recording, whole or up to where they end, and played; or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto bytes = std::as_bytes(std::span(data, size));
     SnapshotError error;
@@ -28,6 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     auto replay = play::Replay::begin(std::move(*recording), opened, error);
-    for (int i = 0; replay && i < 20 && replay->step(); ++i) {}
+    for (int i = 0; replay && i < 20 && replay->step(); ++i) {
+    }
     return 0;
 }

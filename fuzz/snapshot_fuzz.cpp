@@ -14,7 +14,7 @@ using Bytes = std::vector<std::byte>;
 
 constexpr std::size_t head = 16, header = 64;
 
-/// Sets lengths and checksums to what is there, or no input would get any further.
+/// Sets lengths and checksums to the true ones, or no input would get any further.
 void mend(Bytes& bytes) {
     std::size_t at = header;
     for (std::size_t part = 0; part < 3; ++part) {
@@ -31,7 +31,7 @@ void mend(Bytes& bytes) {
     }
 }
 
-/// What is accepted is saved as it was restored, and steps on, finite.
+/// An accepted snapshot is saved as it was restored, and steps on, finite.
 template <int D, class Real> void check(const Bytes& bytes) {
     Simulation<D, Real> simulation;
     if (restore(simulation.world, bytes, {.memory = 50'000'000})) return;

@@ -151,7 +151,7 @@ void Play::begin_running(const fs::path& path, Timeline timeline, const std::str
     tell("restored", {{"path", name_}, {"hash", hash()}});
 }
 
-/// Builds the scene of a file `name`; `from` and `problem` receive where its pictures are, and what is wrong with it.
+/// Builds the scene of a file `name`; `from` and `problem` receive where its pictures are, and its fault.
 SceneOpener Play::opener(const std::string& name, std::string& from, std::string& problem) const {
     return [this, name, &from, &problem](const std::string& scene, const std::string& beside) {
         from = beside;
@@ -190,7 +190,7 @@ void Play::record_in(const fs::path& folder) {
     begin_recording();
 }
 
-/// Begins a file for what runs now, and removes the oldest of many.
+/// Begins a file for the running session, and removes the oldest of many.
 void Play::begin_recording() {
     if (recordings_.empty() || panes_.empty()) return;
     recording_ = new_file_in(recordings_, fs::path(name_).stem().string(), recording_extension, max_recordings - 1);

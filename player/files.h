@@ -17,7 +17,7 @@ std::filesystem::file_time_type time_written(const std::filesystem::path& path);
 /// Writes a file as a whole or not at all; returns the failure, if any.
 [[nodiscard]] canvas::Failure write_file(const std::filesystem::path& path, const std::string& text);
 
-/// Begins a file, and appends to it what the function is called with: in one piece, and kept by the system whatever
+/// Begins a file, and appends to it the arguments of the function: in one piece, and kept by the system whatever
 /// ends the program. Calls return the failure, if any.
 std::function<canvas::Failure(std::span<const std::byte>)> append_to(const std::filesystem::path& path);
 

@@ -122,7 +122,7 @@ class Play {
     bool save_state(const std::filesystem::path& path);
     /// Records everything in files of a folder, of which the latest are kept.
     void record_in(const std::filesystem::path& folder);
-    /// Copies the recording of what runs, for the report of a fault; by default to out/.
+    /// Copies the recording of the running session, for the report of a fault; by default to out/.
     bool save_recording(std::filesystem::path path = {});
     void ask_for_path(Purpose purpose, std::function<void()> then = {});
     /// Answers the path request.
@@ -248,7 +248,7 @@ class Play {
     std::optional<Clock> clock_;
     std::optional<Restoration> restoration_;
     std::filesystem::path recordings_; ///< folder of recordings; empty: nothing is recorded
-    std::filesystem::path recording_;  ///< of what runs
+    std::filesystem::path recording_;  ///< of the running session
     std::filesystem::path restored_from_;
     Vec2<double> pointer_{};
     std::vector<std::string> selected_names_; ///< names of the selected particles

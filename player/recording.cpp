@@ -160,7 +160,7 @@ class RecordingReader {
         const auto step = content.number<std::uint64_t>();
         if (step > recording_.steps) return "a return to a step that was not taken";
         if (step < recording_.steps) {
-            // what was done at the step before the next one stays
+            // actions at the step before the next one stay
             auto keep = end_of_step_[step];
             while (!std::holds_alternative<recorded::Step>(recording_.entries[keep].what)) ++keep;
             recording_.entries.resize(keep);

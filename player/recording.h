@@ -23,7 +23,7 @@ namespace sinew::play {
 /// Lower half of the hash of a state.
 std::uint32_t short_hash(const Session& session);
 
-/// Positions of all particles, as recorded now and then: what a difference is shown by.
+/// Positions of all particles, as recorded now and then, to show a difference by.
 using Positions = std::vector<Vec3<double>>;
 
 namespace recorded {
@@ -39,7 +39,7 @@ struct Step {
 struct Act {
     Action action;
 };
-/// Back to a step: what was recorded of later ones no longer counts.
+/// Back to a step: records of later ones no longer count.
 struct Back {
     std::uint64_t step = 0;
 };
@@ -88,7 +88,7 @@ class Recorder {
 
 /// A recording that was read.
 struct Recording {
-    std::vector<Recorded> entries; ///< the first is a scene or a moment; what was taken back is left out
+    std::vector<Recorded> entries; ///< the first is a scene or a moment; undone actions are left out
     std::uint64_t steps = 0;
     /// End of the last complete entry, where the file ends within one: the program that wrote it was killed.
     std::optional<std::size_t> cut_short;
@@ -127,7 +127,7 @@ class Replay {
     const Session& session() const { return session_; }
     Session& session() { return session_; }
     std::uint64_t steps() const { return taken_; }
-    /// Carries out what comes before the next step, and takes it. False at the end.
+    /// Carries out the entries before the next step, and takes it. False at the end.
     bool step();
     /// Difference found so far; its place is known once later positions were met.
     const std::optional<Divergence>& divergence() const { return divergence_; }

@@ -13,7 +13,7 @@
 namespace sinew::cli {
 namespace {
 
-/// Writes what happens to a file.
+/// Writes the session's log to a file.
 class RecordingWitness final : public Witness {
   public:
     RecordingWitness(const std::string& path, const Session& session, const std::string& from)

@@ -17,7 +17,7 @@ struct RecordingFile {
 
 /// True for a file that begins like a recording.
 bool is_recording_file(const std::string& path);
-/// Throws CommandError with the place of what is wrong.
+/// Throws CommandError with the place of the fault.
 RecordingFile read_recording_file(const std::string& path);
 
 } // namespace sinew::cli

@@ -298,8 +298,9 @@ typedef struct sinew_contact {
     uint32_t phase;            /* a sinew_phase */
     const char* collider_name; /* as in the scene; may be empty; "bounds" for a plane of world.bounds */
     sinew_point point;         /* where it pressed hardest; on the surface of a collider, between two figures */
-    sinew_point normal; /* unit length, towards `particle`; zero for what is near and does not press, and at an end */
-    double speed;       /* of approach along the normal there, before the contact acted */
+    sinew_point
+        normal;   /* unit length, towards `particle`; zero for a body that is near and does not press, and at an end */
+    double speed; /* of approach along the normal there, before the contact acted */
 } sinew_contact;
 /* Whether touches of figures with figures and with planes of world.bounds are listed too, from the next step on (`on` 0
  * or 1; contacts of figures must be switched on in the scene: "contact": {"figures": true}). Those with colliders

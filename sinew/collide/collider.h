@@ -28,7 +28,7 @@ template <int D, class Real> struct Collider {
     /// False for one that touches nothing, and is not drawn.
     bool is_enabled() const { return filter != Filter{0, 0}; }
     bool is_at_rest() const { return from == target; }
-    /// True if the surface may do work on what touches it.
+    /// True if the surface may do work on a body that touches it.
     bool is_driven() const { return !is_at_rest() || surface_velocity != Vec<D, Real>{}; }
     /// Velocity of the surface along itself where it has a normal, both in the world.
     template <class T> Vec<D, T> belt_velocity(const Pose<D, T>& pose, const Vec<D, T>& normal) const {

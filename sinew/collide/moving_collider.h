@@ -26,7 +26,7 @@ template <int D, class Real, class T = Real> class MovingCollider {
   public:
     using Vector = Vec<D, T>;
 
-    /// `duration`: of the part of the step. `cover`: what stands beside the collider.
+    /// `duration`: of the part of the step. `cover`: solids beside the collider.
     MovingCollider(const Collider<D, Real>& collider, T from_share, T to_share, T duration,
                    const Cover<D, Real, T>& cover)
         : collider_(collider), cover_(cover), duration_(duration), one_way_(cast<T>(collider.one_way)),
@@ -56,7 +56,7 @@ template <int D, class Real, class T = Real> class MovingCollider {
             },
             collider_.shape);
     }
-    /// Same for what a one-way collider holds only if it comes from the front.
+    /// Same; a one-way collider holds only what comes from the front.
     template <class Visit> void contacts(const Vector& from, const Vector& to, T radius, Visit&& visit) const {
         contacts(from, to, radius, T(0), [&](const auto& contact) {
             if (contact.begins_in_front) visit(contact);

@@ -36,10 +36,10 @@ struct Dimensions {
 struct KindManual {
     std::string_view about{};     ///< a sentence
     std::string_view drawing{};   ///< lines of text
-    std::string_view particles{}; ///< what each one is, in order
+    std::string_view particles{}; ///< meaning of each one, in order
     std::string_view zero{};      ///< where the measure is 0
     std::string_view sign{};      ///< which way it grows, and its range
-    std::string_view use{};       ///< what rest, low and high make of it
+    std::string_view use{};       ///< use of rest, low and high
     std::string_view example{};   ///< JSON of a constraint
 };
 

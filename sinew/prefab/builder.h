@@ -191,7 +191,7 @@ template <int D, class RealT> class Builder {
     std::vector<Local> locals_;
 };
 
-/// A figure that build() has added, or what is wrong with the parameters; nothing is added then.
+/// A figure that build() has added, or the fault of the parameters; nothing is added then.
 struct Built {
     FigureIndex figure = no_figure;
     std::string problem{}; ///< empty if there is none
@@ -215,7 +215,7 @@ requires(Prefab::dimensions.include(D)) FigureIndex
 }
 
 /// Adds a figure to a world: build(world, Rope{.length = 3}, "rope", {.at = {{1, 2}}}). Returns the index of the
-/// figure, or what is wrong: a number out of the range of its field, an unknown word, more particles than a world can
+/// figure, or the fault: a number out of the range of its field, an unknown word, more particles than a world can
 /// have. Angles are in radians.
 template <class Prefab, int D, class Real>
 requires(Prefab::dimensions.include(D)) Built build(World<D, Real>& world, const Prefab& prefab, std::string_view name,

@@ -30,7 +30,7 @@ class ValueCheck {
   public:
     ValueCheck(const Scene& scene, Document& document) : scene_(scene), document_(document) {}
 
-    /// Returns true if a world can be built of what is left.
+    /// Returns true if a world can be built in spite of the errors.
     bool run() {
         const auto before = document_.diagnostics.count();
         world_type();

@@ -15,7 +15,8 @@ void check_sizes(const Scene& scene, Document& document);
 /// Checks after building: every particle, constraint, figure and part referred to exists.
 void check_references(const Scene& scene, const AnyWorld& world, Document& document);
 
-/// Warns of what a valid scene can hardly mean: strains that no link reaches, a mesh in several parts, welded points.
+/// Warns of values that a valid scene can hardly mean: strains that no link reaches, a mesh in several parts, welded
+/// points.
 void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document);
 
 /// A JSON pointer in a document: "/figures/2/looks".

@@ -25,7 +25,7 @@ struct Source {
     std::string text;
 };
 
-/// An error in a source, or a warning of what is allowed but seldom meant, for its author.
+/// An error in a source, or a warning of values that are allowed but seldom meant, for its author.
 struct Diagnostic {
     Span span;
     std::string path;    ///< JSON pointer of the value: "/figures/0/mass"

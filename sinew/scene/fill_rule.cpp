@@ -5,7 +5,7 @@ namespace {
 
 using collide::Corners;
 
-/// Outlines by what they enclose.
+/// Outlines by the area that they enclose.
 class Nesting {
   public:
     Nesting(const std::vector<SvgOutline>& outlines, bool is_even_odd)

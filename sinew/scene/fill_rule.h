@@ -23,7 +23,7 @@ struct SolidOutlines {
     std::string error; ///< of outlines that cross where one of them is not filled; empty: none
 };
 
-/// Solids of a path: an outline is the border of a solid, of a hole, or of neither, by what lies on both sides of it.
+/// Solids of a path: an outline is the border of a solid, of a hole, or of neither, by the winding on both sides of it.
 /// Outlines that cross are united by `nonzero` if they go round the same way.
 SolidOutlines solids_of(const std::vector<SvgOutline>& outlines, std::string_view fill_rule);
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// Warnings of what is allowed, and seldom meant.
+/// Warnings of values that are allowed, and seldom meant.
 namespace sinew {
 namespace {
 

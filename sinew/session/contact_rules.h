@@ -26,7 +26,7 @@ class ContactRules {
     /// Rules that the contacts of the last step fulfil, in the order of the events.
     std::vector<RuleMet> met(const Scene& scene, const AnyWorld& world);
 
-    /// What a snapshot holds; is_of() says whether it belongs to a scene.
+    /// State of a snapshot; is_of() says whether it belongs to a scene.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [waiting] = self;
         visit(waiting);

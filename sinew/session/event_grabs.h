@@ -29,7 +29,7 @@ class EventGrabs {
     /// Particles named by the events.
     std::vector<ParticleId> particles(const AnyWorld& world) const;
 
-    /// What a snapshot holds.
+    /// State of a snapshot.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [held] = self;
         visit(held);

@@ -34,7 +34,7 @@ class History {
 
     /// True if the series match the scene's traces.
     bool is_of(const Scene& scene) const;
-    /// What a snapshot holds; is_sound() says whether record() could have left it.
+    /// State of a snapshot; is_sound() says whether record() could have left it.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [series] = self;
         visit(series);

@@ -14,7 +14,7 @@ class Motors {
     /// Sets speeds and force limits for the next step.
     void run(const Scene& scene, AnyWorld& world) const;
 
-    /// What a snapshot holds; is_of() says whether it belongs to a scene.
+    /// State of a snapshot; is_of() says whether it belongs to a scene.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [driven] = self;
         visit(driven);

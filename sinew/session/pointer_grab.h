@@ -32,7 +32,7 @@ struct PointerGrab {
     };
     std::vector<Along> along{};
 
-    /// What a snapshot holds.
+    /// State of a snapshot.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [members, target, pin, handle, along] = self;
         visit(members, target, pin, handle, along);

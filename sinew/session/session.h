@@ -139,7 +139,7 @@ class Session {
     /// Particles held by the pointer and by events of the scene.
     std::vector<ParticleId> held_particles() const;
 
-    /// THE list of what a snapshot holds beside scene, world and images (session_snapshot.h): a new member does not
+    /// THE list of a snapshot's fields beside scene, world and images (session_snapshot.h): a new member does not
     /// compile until listed. Whoever writes calls is_sound() afterwards.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [scene, world, solver, images, focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to,

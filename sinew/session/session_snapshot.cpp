@@ -10,7 +10,7 @@ namespace snapshot {
 
 template <> struct IsPacked<Point> : std::true_type {};
 
-/// What lists its own state.
+/// Types that list their own state.
 template <class Archive, class T>
 requires requires(T& value) {
     T::state(value, [](auto&...) {});

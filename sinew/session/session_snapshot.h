@@ -9,7 +9,7 @@
 #include <string_view>
 
 /// A running session as bytes, and back: the scene with all edits, the world, the clock, events, grabs and traces.
-/// What a snapshot of a world promises (snapshot/snapshot.h) holds for a session.
+/// The promises of a world's snapshot (snapshot/snapshot.h) hold for a session.
 namespace sinew {
 
 /// Bytes of a session. `from`: file of the scene, to which the paths of images and models are relative; may be empty.

@@ -11,7 +11,7 @@ struct Stroke {
     double radius = 0; ///< radius around the path, the scene's unit of length
     double haste = 1;  ///< factor on the pointer's velocity
 
-    /// What a snapshot holds.
+    /// State of a snapshot.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [position, radius, haste] = self;
         visit(position, radius, haste);

@@ -54,7 +54,7 @@ class ByteWriter {
 class ByteReader {
   public:
     static constexpr bool is_reading = true;
-    /// `at`: offset of the bytes in their file; `memory`: bytes that may be allocated for what is read.
+    /// `at`: offset of the bytes in their file; `memory`: bytes that may be allocated for the contents.
     ByteReader(std::span<const std::byte> bytes, std::size_t at, std::uint64_t memory)
         : bytes_(bytes), begin_(at), memory_(memory) {}
 
@@ -63,7 +63,7 @@ class ByteReader {
     std::size_t left() const { return bytes_.size() - at_; }
     std::uint64_t memory() const { return memory_; }
 
-    /// Name of what is read next, for a message.
+    /// Name of the next field, for a message.
     void enter(std::string_view part, std::string_view field) { part_ = part, field_ = field; }
     void fail(std::string what) {
         if (failed_) return;

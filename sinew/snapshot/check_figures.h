@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-/// Whether the figures of a world that came with a file are sound: what is drawn and cut by index.
+/// Checks of the figures of a world that came with a file: pieces are drawn and cut by index.
 namespace sinew::snapshot {
 
-/// What is wrong with a field.
+/// Fault of a field.
 struct Fault {
     std::string field, what;
 };

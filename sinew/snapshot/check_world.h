@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Whether a world that came with a file could have been built here: sizes, indices and ranges, before anything reads
-/// them. What a step itself holds in its limits (positions, velocities, forces, walls) may be anything.
+/// them. Numbers that a step itself holds in its limits (positions, velocities, forces, walls) may be anything.
 namespace sinew::snapshot {
 
 template <int D, class Real> class WorldCheck {

@@ -16,7 +16,7 @@ struct Numbers {
     std::vector<double> all;
 };
 
-/// Lists the numbers of all fields that decide a step; of what is no column, the bytes.
+/// Lists the numbers of all fields that decide a step; of a field that is no column, the bytes.
 class NumberLister {
   public:
     std::vector<Numbers> list;

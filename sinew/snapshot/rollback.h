@@ -10,8 +10,8 @@
 /// The last moments of a world, to go back to: for games over a network, which step on a guess and correct it.
 namespace sinew {
 
-/// A ring of moments. What never changes is held once for all of them; a moment takes what moves. For a world of one
-/// process: snapshot.h writes what others may read.
+/// A ring of moments. Fixed fields are held once for all of them; a moment takes those that move. For a world of one
+/// process: snapshot.h writes bytes that others may read.
 template <int D, class Real> class Rollback {
   public:
     /// `moments`: number of moments held, at least 1.
@@ -29,7 +29,7 @@ template <int D, class Real> class Rollback {
     std::size_t bytes() const { return size_ > 0 ? at(0).moving.size() : 0; }
 
   private:
-    /// What never changes, and how to know that it has not.
+    /// Fixed fields, and how to know that they have not changed.
     struct Fixed {
         std::uint64_t parameters = 0;
         std::vector<std::size_t> sizes;

@@ -8,8 +8,8 @@
 #include <vector>
 
 /// A world as bytes, and back: on any machine, in any build of the same version, every later hash is that of the world
-/// that never stopped. The bytes are little-endian and carry a version and checksums; what never changes lies apart
-/// from what moves. docs/reference/snapshot-format.md
+/// that never stopped. The bytes are little-endian and carry a version and checksums; fixed fields lie apart
+/// from those that move. docs/reference/snapshot-format.md
 ///
 /// Bytes may come from anybody. A world is replaced only by one that could have been built: otherwise nothing changes
 /// and the error tells the place.
@@ -21,7 +21,7 @@ struct SnapshotLimits {
     std::uint64_t memory = 16'000'000'000; ///< bytes that a world may take once restored
 };
 
-/// Sort of what bytes hold.
+/// Sort of the contents.
 enum class SnapshotContent : std::uint8_t { world, session };
 
 /// First bytes of a snapshot.

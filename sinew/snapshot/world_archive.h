@@ -3,7 +3,7 @@
 #include "sinew/snapshot/archive.h"
 #include "sinew/world/world.h"
 
-/// Fields of what a world consists of, by structured bindings: a new field does not compile until listed.
+/// Fields of a world's parts, by structured bindings: a new field does not compile until listed.
 namespace sinew::snapshot {
 
 template <> struct Enumerators<Mode> { static constexpr int count = 2; };

@@ -6,7 +6,7 @@
 /// Visitors of THE list of a world's fields that write and read the two parts of a snapshot.
 namespace sinew::snapshot {
 
-/// What a visitor does with lists of which one part is fixed and another moves.
+/// Treatment of lists of which one part is fixed and another moves.
 template <class Archive, int D, class Real>
 void archive_poses(Archive& at, std::vector<collide::Collider<D, Real>>& colliders) {
     for (auto& collider : colliders) archive_all(at, collider.from, collider.target);
@@ -30,7 +30,7 @@ template <class Archive, class T> void archive_fixed(Archive& at, T& value) {
     archive(at, value);
 }
 
-/// Writes the fields of both parts, or with `fixed` null of what moves alone.
+/// Writes the fields of both parts, or with `fixed` null of those that move alone.
 class FieldWriter {
   public:
     FieldWriter(ByteWriter* fixed, ByteWriter& moving) : fixed_(fixed), moving_(moving) {}

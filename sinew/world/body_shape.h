@@ -6,7 +6,7 @@
 #include <span>
 
 /// Shape of a figure as it is drawn, for sensors, rays and questions: spheres at its particles, capsules along its
-/// lines, and what its filled outlines enclose.
+/// lines, and the insides of its filled outlines.
 namespace sinew {
 
 /// Closed outlines and lines between particles are capsules.

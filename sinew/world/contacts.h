@@ -52,7 +52,7 @@ struct TouchStrength {
 struct TouchPlace {
     std::array<double, 3> point{};  ///< of the surface; in 2D the third number is 0
     std::array<double, 3> normal{}; ///< unit length, towards the particle, or from the second figure to the first; zero
-                                    ///< for what is near and does not press
+                                    ///< for a body that is near and does not press
     double speed = 0;               ///< of approach along the normal, before the contact acts, length per time
 };
 

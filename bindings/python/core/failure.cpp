@@ -7,7 +7,7 @@ namespace py = pybind11;
 namespace sinew::python {
 namespace {
 
-/// Text of the engine, which shows what a file has: bytes that are no UTF-8 become marks of replacement.
+/// Text of the engine, which shows a file's own text: bytes that are no UTF-8 become marks of replacement.
 py::str text_of(const char* text) {
     return py::reinterpret_steal<py::str>(
         PyUnicode_DecodeUTF8(text, Py_ssize_t(std::char_traits<char>::length(text)), "replace"));

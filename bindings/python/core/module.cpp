@@ -2,7 +2,7 @@
 
 #include <pybind11/stl.h>
 
-/// The module sinew._core: the C face as plain functions. sinew/*.py makes of it what users see, and documents it.
+/// The module sinew._core: the C face as plain functions. sinew/*.py makes the public package of it, and documents it.
 namespace sinew::python {
 
 PYBIND11_MODULE(_core, module) {

@@ -19,7 +19,7 @@ bool is_computed(int column) {
            column == SINEW_STRAIN;
 }
 
-/// An array on the memory of the simulation, which cannot be written to: edits wake what sleeps, and more.
+/// An array on the memory of the simulation, which cannot be written to: edits wake sleeping bodies, and more.
 py::array array_on(const sinew_view& view, const std::vector<py::ssize_t>& shape) {
     pin_memory(view.data);
     const py::capsule pin(view.data, [](void* block) { unpin_memory(block); });

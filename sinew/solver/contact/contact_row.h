@@ -43,7 +43,7 @@ template <int D, class Real> struct ContactOrigin {
 /// Row of a wall while a body rebounds. Displacements are those along the normal in a substep.
 template <class Real> struct ReboundRow {
     std::uint32_t body = 0, part = 0, row = 0; ///< component of links; part, and index of the row in it
-    Real added = 0;                            ///< displacement by half of what the forces add
+    Real added = 0;                            ///< displacement by half of the forces in the substep
     Real before = 0;                           ///< displacement before the blow
     Real target = 0;                           ///< displacement after it, at least
     Real impulse = 0;                          ///< h newton seconds

@@ -81,7 +81,7 @@ template <int D, class Real> struct RigidLinks {
     }
 
   private:
-    /// What a search finds in the tables.
+    /// Result of a search in the tables.
     struct Found {
         std::vector<RigidLink> links;
         std::vector<char> is_swept, is_exact; ///< per slot

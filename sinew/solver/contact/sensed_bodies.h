@@ -6,7 +6,7 @@
 
 namespace sinew::detail {
 
-/// Touches of sensors and bodies at the end of a step: their lines, and what their filled outlines enclose. Particles
+/// Touches of sensors and bodies at the end of a step: their lines, and the insides of their filled outlines. Particles
 /// on the way are sensed within the step.
 template <int D, class Real> class SensedBodies {
   public:

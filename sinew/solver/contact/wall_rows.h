@@ -118,7 +118,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         }
         if (found->t > Real(0) && found->t < Real(1)) add_link_row(s, index, *found, 0);
     }
-    /// What other colliders leave of the contact of a link with a solid.
+    /// Part of the contact of a link with a solid that no other collider covers.
     std::optional<collide::SurfacePoint<D, Real>> exposed(const ContactSegment& s,
                                                           const collide::Collider<D, Real>& collider,
                                                           const collide::Pose<D, Real>& pose,

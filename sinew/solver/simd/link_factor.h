@@ -74,7 +74,7 @@ template <int D, class V> class LinkLanes {
     }
 
   protected:
-    const LinkPack<D> pack_; ///< a copy: stores of numbers might change what lies elsewhere
+    const LinkPack<D> pack_; ///< a copy: stores of numbers might change other memory
     std::size_t lane_;
 
   private:
