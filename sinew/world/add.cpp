@@ -118,7 +118,7 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.asleep.push_back(char(0));
     p.energy_debt.push_back(0);
     p.near.push_back(char(0));
-    p.at_end.push_back(0);
+    p.at_end.push_back(1);
     world.events.reserve(events_per_step);
     SINEW_ASSERT(p.at_end.size() == p.size(), "the columns of a table have one length");
     const auto id = p.handles.append();

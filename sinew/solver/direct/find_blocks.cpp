@@ -28,8 +28,10 @@ template <int D, class Real> class BlockFinder {
         if (!world_.journal.stale) find_again();
         const bool all = world_.journal.stale;
         if (all) find_all();
-        for (Row row = 0; row < particles_.size(); ++row)
-            particles_.at_end[row] = blocks_.particles.has(particles_.handles.index_of(row));
+        for (Row row = 0; row < particles_.size(); ++row) {
+            const char at_end = blocks_.particles.has(particles_.handles.index_of(row));
+            if (std::exchange(particles_.at_end[row], at_end) != at_end) hand_over(row, at_end != 0);
+        }
         list_runs();
         return all;
     }
@@ -46,6 +48,19 @@ template <int D, class Real> class BlockFinder {
     BlockRoom& room_;
 
     bool mobile(Row particle) const { return graph_.mobile(particle); }
+
+    /// Velocities in blocks belong to the end of a substep, swept ones to the middle of the last one: half a substep of
+    /// the fields lies between.
+    void hand_over(Row row, bool to_block) {
+        if (world_.settings.mode != Mode::physical || particles_.mobility[row] == Real(0)) return;
+        auto& velocity = particles_.velocity[row];
+        const auto forcing = forcing_on(world_, row);
+        const auto fields = forcing.acceleration - particles_.force[row] * particles_.inverse_mass[row];
+        const Real half = Real(0.5) * world_.last_substep, rate = forcing.drag_rate + world_.settings.damping;
+        if (!(rate * half < Real(1))) return;
+        velocity += (fields - velocity * rate) * (to_block ? half : -half);
+        velocity = clamp_components(velocity, limit::speed<Real>);
+    }
 
     void make_room() {
         detail::list_constraints(world_);
