@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdlib>
+
 #include "sinew/solver/contact/deep_rows.h"
 #include "sinew/solver/contact/kept_contacts.h"
 #include "sinew/solver/contact/merge_touches.h"
@@ -65,8 +67,11 @@ template <int D, class Real> class FigureContact {
         room().projector.restore_energy(state_, threads_);
         room().joints.solve(state_, Soft::none());
         each_part([&](Part& part) { rows_.solve(part, Soft::none(), Soft::none()); });
-        room().projector.project_velocities(state_, threads_);
-        Rebounds<D, Real>(room(), state_, rows_, square(h_) * norm(state_.gravity)).run();
+        Rebounds<D, Real> rebounds(room(), state_, rows_, square(h_) * norm(state_.gravity));
+        const bool any_blow = rebounds.list();
+        static const bool skips = getenv("SKIP") != nullptr;
+        if (is_last_ || any_blow || !skips) room().projector.project_velocities(state_, threads_);
+        rebounds.run();
         keep();
     }
 
@@ -98,7 +103,7 @@ template <int D, class Real> class FigureContact {
     }
     /// Margin of the list: small ones list few pairs in vain, and large ones are listed seldom.
     void set_margin() {
-        constexpr Real share_of_radius = Real(0.1);
+        static const Real share_of_radius = getenv("MARGIN") ? Real(atof(getenv("MARGIN"))) : Real(0.1);
         auto& list = room().list;
         Real widest = 0;
         for (const auto& particle : room().particles) widest = max(widest, particle.radius);

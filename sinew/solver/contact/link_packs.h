@@ -35,6 +35,12 @@ template <int D, class Real> class LinkPacks {
         }
         lay_out(links);
     }
+    /// Takes hold of the ropes that pull at first.
+    void set_active(const RigidLinks<D, Real>& links) const {
+        each_link(links, [](const RigidLink& link, const LinkPack<D>& pack, std::size_t k, std::size_t lane) {
+            pack.of_link(k, LinkFields<D>::active)[lane] = link.is_active ? 1 : 0;
+        });
+    }
 
     /// Calls visit(link, pack, number of the link in its component, lane).
     template <class Visit> void each_link(const RigidLinks<D, Real>& links, Visit&& visit) const {
@@ -157,8 +163,8 @@ template <int D, class Real> class LinkPacks {
             using Fields = LinkFields<D>;
             pack.of_link(k, Fields::length)[lane] = link.length;
             pack.of_link(k, Fields::per_length)[lane] = inverse_or_zero(link.length);
-            pack.of_link(k, Fields::active)[lane] = link.is_active ? 1 : 0;
         });
+        set_active(links);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "sinew/solver/contact/link_response.h"
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/solver/workers.h"
+#include <cstdlib>
 
 namespace sinew::detail {
 
@@ -20,8 +21,11 @@ template <int D, class Real> class LinkProjector {
   public:
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
               std::vector<char>& is_exact) {
-        links_.find(world, solver, takes_part, is_exact);
-        packs_.build(links_);
+        const bool is_new = links_.find(world, solver, takes_part, is_exact) || getenv("NOCACHE");
+        if (is_new)
+            packs_.build(links_);
+        else
+            packs_.set_active(links_);
         kernels_ = &kernels<D, Real>(solver.options.simd).links;
         is_current_ = false;
         is_marked_.assign(links_.components.size(), 0);
@@ -29,12 +33,16 @@ template <int D, class Real> class LinkProjector {
     }
     const RigidLinks<D, Real>& links() const { return links_; }
 
-    /// Factorises at the present places, unless that has been done. `mobilities_change`: drag changes them.
+    /// Factorises at the present places, unless that has been done. `mobilities_change`: drag may have changed them.
     void begin(const SweepState<D, Real>& state, bool mobilities_change, int threads) {
         packs_.each_link(links_, [](const RigidLink&, const LinkPack<D>& pack, std::size_t k, std::size_t lane) {
             pack.of_link(k, LinkFields<D>::tension)[lane] = 0;
         });
-        if (!is_current_ || mobilities_change) run(kernels_->factorise, state, threads);
+        static const bool nodrag = getenv("NODRAG");
+        if (!is_current_ || (mobilities_change && !nodrag))
+            run(kernels_->factorise, state, threads);
+        else if (mobilities_change)
+            run(kernels_->weigh, state, threads);
     }
     void project_velocities(SweepState<D, Real>& state, int threads) { run(kernels_->velocities, state, threads); }
     /// Right lengths at the end of the displacements.

@@ -24,8 +24,32 @@ template <int D, class Real> class Rebounds {
     Rebounds(ContactRoom<D, Real>& room, SweepState<D, Real>& state, const RowSolver<D, Real>& rows, Real resting)
         : room_(room), state_(state), rows_(rows), held_(room, state, rows), resting_(resting) {}
 
+    /// Lists rows of walls, body by body, if some wall has been struck. False if none has.
+    bool list() {
+        auto& all = room_.rebounds;
+        all.clear();
+        bool any = false;
+        for (std::uint32_t i = 0; i < contact_parts; ++i) {
+            const auto& part = room_.parts.list[i];
+            for (auto k = part.first_wall; k < part.rows.size(); ++k) {
+                const auto away = away_after(part.rows[k], part.origins[k]);
+                any = any || away;
+                const auto& row = part.rows[k];
+                all.push_back({.body = body_of(row),
+                               .part = i,
+                               .row = std::uint32_t(k),
+                               .is_struck = away.has_value(),
+                               .target = away ? *away : -max(row.gap, Real(0)),
+                               .begun = row.multiplier});
+            }
+        }
+        if (!any) all.clear();
+        sinew::sort(all.begin(), all.end(), [](const Rebounding& a, const Rebounding& b) {
+            return std::tie(a.body, a.part, a.row) < std::tie(b.body, b.part, b.row);
+        });
+        return any;
+    }
     void run() {
-        list();
         const auto& all = room_.rebounds;
         for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
             while (last < all.size() && all[last].body == all[first].body) ++last;
@@ -49,30 +73,6 @@ template <int D, class Real> class Rebounds {
         return rows_.change(row_of(one), part_of(one).origins[one.row].surface_displacement);
     }
 
-    /// Rows of walls, body by body, if some wall has been struck.
-    void list() {
-        auto& all = room_.rebounds;
-        all.clear();
-        bool any = false;
-        for (std::uint32_t i = 0; i < contact_parts; ++i) {
-            const auto& part = room_.parts.list[i];
-            for (auto k = part.first_wall; k < part.rows.size(); ++k) {
-                const auto away = away_after(part.rows[k], part.origins[k]);
-                any = any || away;
-                const auto& row = part.rows[k];
-                all.push_back({.body = body_of(row),
-                               .part = i,
-                               .row = std::uint32_t(k),
-                               .is_struck = away.has_value(),
-                               .target = away ? *away : -max(row.gap, Real(0)),
-                               .begun = row.multiplier});
-            }
-        }
-        if (!any) return all.clear();
-        sinew::sort(all.begin(), all.end(), [](const Rebounding& a, const Rebounding& b) {
-            return std::tie(a.body, a.part, a.row) < std::tie(b.body, b.part, b.row);
-        });
-    }
     std::optional<Real> away_after(const RowT& row, const ContactOrigin<D, Real>& origin) const {
         if (origin.restitution == Real(0) || row.max == Real(0)) return std::nullopt;
         return rebound_after(origin.approach, origin.restitution, resting_);

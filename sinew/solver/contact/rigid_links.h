@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace sinew::detail {
@@ -33,6 +34,12 @@ struct RigidLink {
     bool is_rope = false;    ///< may be shorter
     bool is_active = true;   ///< holds its length at first; a rope does while it pulls
     double length = 0;
+    bool moves_a = false, moves_b = false; ///< the ends
+
+    bool is_same_as(const RigidLink& other) const {
+        return row == other.row && a == other.a && b == other.b && is_rope == other.is_rope && length == other.length &&
+               moves_a == other.moves_a && moves_b == other.moves_b;
+    }
 };
 
 /// Connected component of rigid links.
@@ -52,61 +59,84 @@ template <int D, class Real> struct RigidLinks {
 
     static constexpr std::uint32_t none = ~std::uint32_t(0);
 
-    /// `is_exact` receives 1 per slot of the sweep held exactly, or by no distance at all.
-    void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
+    /// `is_exact` receives 1 per slot of the sweep held exactly, or by no distance at all. False if all links are those
+    /// of the last search: then only the ropes that pull are found anew.
+    bool find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
               std::vector<char>& is_exact) {
         const auto& state = solver.sweep_state;
-        is_exact.assign(state.size(), 1);
-        collect(world, solver, takes_part, is_exact);
-        order_by_component();
-        keep_narrow(world, state, is_exact);
-        list_slots(world, state);
+        collect(world, solver, takes_part);
+        const bool is_same = found_ == last_;
+        if (is_same) {
+            const auto& table = std::get<kind_number<Distance, D>>(world.constraints);
+            for (auto& link : list) link.is_active = pulls(table, link);
+        } else {
+            std::swap(found_, last_);
+            list = last_.links, is_swept = last_.is_swept, is_exact_ = last_.is_exact;
+            order_by_component();
+            keep_narrow(state);
+            list_slots(state);
+        }
+        is_exact = is_exact_;
+        return !is_same;
     }
 
   private:
+    /// What a search finds in the tables.
+    struct Found {
+        std::vector<RigidLink> links;
+        std::vector<char> is_swept, is_exact; ///< per slot
+        friend bool operator==(const Found& one, const Found& other) {
+            return one.is_swept == other.is_swept && one.is_exact == other.is_exact &&
+                   std::ranges::equal(one.links, other.links, [](auto& a, auto& b) { return a.is_same_as(b); });
+        }
+    };
+    Found found_, last_;
+    std::vector<char> is_exact_;
     UnionFind sets_;                      ///< of slots
     std::vector<std::uint32_t> first_at_; ///< per slot: the first link there
 
-    static bool moves(const World<D, Real>& world, const SweepState<D, Real>& state, Row slot) {
-        return world.particles.mobility[state.row_of[slot]] > Real(0);
+    template <class Table> static bool pulls(const Table& table, const RigidLink& link) {
+        return !link.is_rope || table.multiplier[link.row] < Real(0);
     }
-    void collect(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
-                 std::vector<char>& is_exact) {
+    void collect(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part) {
         const auto& state = solver.sweep_state;
         const auto& table = std::get<kind_number<Distance, D>>(world.constraints);
-        list.clear();
-        is_swept.assign(state.size(), 0);
-        sets_.reset(state.size());
+        const auto moves = [&](Row slot) { return world.particles.mobility[state.row_of[slot]] > Real(0); };
+        auto& [links, swept, exact] = found_;
+        links.clear();
+        swept.assign(state.size(), 0), exact.assign(state.size(), 1);
         for (Row row = 0; row < table.size(); ++row) {
             if (solver.blocks.holds(table, row)) continue;
             const auto ends = table.members[row];
             const Row a = state.slot_of[ends[0]], b = state.slot_of[ends[1]];
             if (a >= state.size() || b >= state.size() || !(takes_part[a] || takes_part[b])) continue;
-            const bool moves_a = moves(world, state, a), moves_b = moves(world, state, b);
+            const bool moves_a = moves(a), moves_b = moves(b);
             if (!moves_a && !moves_b) continue;
             if (!is_link(table, row)) {
-                is_swept[a] |= !is_plain(table, row), is_swept[b] |= !is_plain(table, row);
-                if (table.breaking_strain[row] < limit::measure<Real>) is_exact[a] = is_exact[b] = 0;
+                swept[a] |= !is_plain(table, row), swept[b] |= !is_plain(table, row);
+                if (table.breaking_strain[row] < limit::measure<Real>) exact[a] = exact[b] = 0;
                 continue;
             }
-            if (moves_a && moves_b) sets_.join(a, b);
-            const bool is_rope = table.low(row) < table.high(row);
-            list.push_back({.row = row,
-                            .a = a,
-                            .b = b,
-                            .root = moves_a ? a : b,
-                            .is_rope = is_rope,
-                            .is_active = !is_rope || table.multiplier[row] < Real(0),
-                            .length = double(table.high(row))});
+            links.push_back({.row = row,
+                             .a = a,
+                             .b = b,
+                             .is_rope = table.low(row) < table.high(row),
+                             .length = double(table.high(row)),
+                             .moves_a = moves_a,
+                             .moves_b = moves_b});
+            links.back().is_active = pulls(table, links.back());
         }
     }
     void order_by_component() {
-        for (auto& link : list) link.root = sets_.first_of(link.root);
+        sets_.reset(is_swept.size());
+        for (const auto& link : list)
+            if (link.moves_a && link.moves_b) sets_.join(link.a, link.b);
+        for (auto& link : list) link.root = sets_.first_of(link.moves_a ? link.a : link.b);
         sinew::sort(list.begin(), list.end(),
                     [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
     }
 
-    void keep_narrow(const World<D, Real>& world, const SweepState<D, Real>& state, std::vector<char>& is_exact) {
+    void keep_narrow(const SweepState<D, Real>& state) {
         constexpr std::size_t max_per_link = 100;
         first_at_.assign(state.size(), none);
         components.clear();
@@ -117,10 +147,10 @@ template <int D, class Real> struct RigidLinks {
             std::size_t size = 0;
             for (auto i = begin; i < end; ++i, ++kept) {
                 list[kept] = list[i];
-                size += width_of(world, state, std::uint32_t(kept));
+                size += width_of(std::uint32_t(kept));
             }
             if (size > max_per_link * (end - begin)) {
-                for (auto i = kept_before; i < kept; ++i) leave_to_sweep(list[i], is_exact);
+                for (auto i = kept_before; i < kept; ++i) leave_to_sweep(list[i]);
                 kept = kept_before;
                 continue;
             }
@@ -128,33 +158,33 @@ template <int D, class Real> struct RigidLinks {
         }
         list.resize(kept);
     }
-    void leave_to_sweep(const RigidLink& link, std::vector<char>& is_exact) {
-        is_exact[link.a] = is_exact[link.b] = 0;
+    void leave_to_sweep(const RigidLink& link) {
+        is_exact_[link.a] = is_exact_[link.b] = 0;
         is_swept[link.a] = is_swept[link.b] = 1;
     }
     /// Sets the first column that couples with a link, through a movable end; returns the number of entries.
-    std::size_t width_of(const World<D, Real>& world, const SweepState<D, Real>& state, std::uint32_t k) {
+    std::size_t width_of(std::uint32_t k) {
         auto& link = list[k];
         link.first = k;
-        for (const Row slot : {link.a, link.b}) {
-            if (!moves(world, state, slot)) continue;
+        for (const auto& [slot, moves] : {std::pair{link.a, link.moves_a}, {link.b, link.moves_b}}) {
+            if (!moves) continue;
             if (first_at_[slot] == none) first_at_[slot] = k;
             link.first = std::min(link.first, first_at_[slot]);
         }
         return k - link.first;
     }
 
-    void list_slots(const World<D, Real>& world, const SweepState<D, Real>& state) {
+    void list_slots(const SweepState<D, Real>& state) {
         slots.clear();
         component_of.assign(state.size(), none);
         for (std::uint32_t i = 0; i < components.size(); ++i) {
             auto& component = components[i];
             component.first_slot = std::uint32_t(slots.size());
-            for (auto k = component.first_link; k < component.last_link; ++k)
-                for (const Row slot : {list[k].a, list[k].b}) {
-                    slots.push_back(slot);
-                    if (moves(world, state, slot)) component_of[slot] = i;
-                }
+            for (auto k = component.first_link; k < component.last_link; ++k) {
+                slots.push_back(list[k].a), slots.push_back(list[k].b);
+                if (list[k].moves_a) component_of[list[k].a] = i;
+                if (list[k].moves_b) component_of[list[k].b] = i;
+            }
             const auto first = slots.begin() + component.first_slot;
             sinew::sort(first, slots.end());
             slots.erase(std::unique(first, slots.end()), slots.end());

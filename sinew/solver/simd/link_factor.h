@@ -41,35 +41,40 @@ template <int D, class V> class LinkLanes {
     }
 
     [[gnu::flatten, gnu::noinline]] void factorise() const {
-        for (std::uint32_t k = 0; k < pack_.links; ++k) factorise_row(k);
+        const LinkLanes here = *this;
+        for (std::uint32_t k = 0; k < here.pack_.links; ++k) here.factorise_row(k);
     }
 
     /// Replaces the right side by the solution.
     [[gnu::flatten, gnu::noinline]] void solve() const {
-        const double* const pivots = pack_.of_link(0, Fields::pivot) + lane_;
-        double* const right = pack_.of_link(0, Fields::right) + lane_;
-        const std::size_t apart = Fields::of_link * pack_.stride;
-        for (std::uint32_t k = 0; k < pack_.links; ++k) {
-            const auto& row = pack_.rows[k];
-            const double* entry = pack_.entry(row.start) + lane_;
+        const LinkPack<D> pack = pack_;
+        const double* const pivots = pack.of_link(0, Fields::pivot) + lane_;
+        double* const right = pack.of_link(0, Fields::right) + lane_;
+        const double* const entries = pack.entry(0) + lane_;
+        const std::size_t apart = Fields::of_link * pack.stride, stride = pack.stride, links = pack.links;
+        for (std::size_t k = 0; k < links; ++k) {
+            const double* entry = entries + pack.rows[k].start * stride;
+            const double* other = right + pack.rows[k].first * apart;
             V sum = lane::load<V>(right + k * apart);
-            for (auto m = row.first; m < k; ++m, entry += pack_.stride)
-                sum = sum - lane::load<V>(entry) * lane::load<V>(right + m * apart);
+#pragma GCC unroll 4
+            for (std::size_t count = k - pack.rows[k].first; count > 0; --count, entry += stride, other += apart)
+                sum = sum - lane::load<V>(entry) * lane::load<V>(other);
             lane::store(right + k * apart, sum);
         }
-        for (std::uint32_t k = 0; k < pack_.links; ++k)
+        for (std::size_t k = 0; k < links; ++k)
             lane::store(right + k * apart, V(lane::load<V>(right + k * apart) * lane::load<V>(pivots + k * apart)));
-        for (auto k = pack_.links; k-- > 0;) {
-            const auto& row = pack_.rows[k];
-            const double* entry = pack_.entry(row.start) + lane_;
+        for (auto k = links; k-- > 0;) {
+            const double* entry = entries + pack.rows[k].start * stride;
+            double* other = right + pack.rows[k].first * apart;
             const V own = lane::load<V>(right + k * apart);
-            for (auto m = row.first; m < k; ++m, entry += pack_.stride)
-                lane::store(right + m * apart, V(lane::load<V>(right + m * apart) - lane::load<V>(entry) * own));
+#pragma GCC unroll 4
+            for (std::size_t count = k - pack.rows[k].first; count > 0; --count, entry += stride, other += apart)
+                lane::store(other, V(lane::load<V>(other) - lane::load<V>(entry) * own));
         }
     }
 
   protected:
-    const LinkPack<D>& pack_;
+    const LinkPack<D> pack_; ///< a copy: stores of numbers might change what lies elsewhere
     std::size_t lane_;
 
   private:

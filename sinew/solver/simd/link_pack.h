@@ -73,6 +73,7 @@ template <int D, class Real> struct LinkColumns {
 template <int D, class Real> struct LinkKernels {
     using Project = void (*)(const LinkColumns<D, Real>&, const LinkPack<D>&, int lane);
     Project factorise;  ///< at the present places
+    Project weigh;      ///< `factorise` where a mobility has changed
     Project velocities; ///< no link is about to change its length, to first order
     Project lengths;    ///< right lengths at the end of the displacements
     Project again;      ///< `lengths` once more: the energy due stays as it was

@@ -34,6 +34,15 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
         take_directions(live_);
         Solution::factorise();
     }
+    /// Factorises again if a mobility is no longer that of the factor.
+    void weigh() {
+        V changed{};
+        for (std::uint32_t i = 0; i < pack_.particles; ++i) {
+            const V old = particle(i, Fields::mobility), now = gather(columns_.mobility, i);
+            changed = old < now ? number(1) : now < old ? number(1) : changed;
+        }
+        if (lane::any(changed > V{})) factorise();
+    }
     void velocities() {
         load();
         project_velocities(live_);
@@ -80,6 +89,9 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
 
     V gather(const Real* column, std::size_t i) const {
         const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
+        if constexpr (width > 1)
+            if (are_adjacent(slots))
+                return __builtin_convertvector((lane::load<lane::Pack<Real, int(width)>>(column + slots[0])), V);
         if constexpr (width == 1)
             return double(column[slots[0]]);
         else if constexpr (width == 2)
@@ -88,14 +100,46 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
             return __builtin_convertvector((lane::gather<lane::Pack<Real, int(width)>, Real>(column, slots)), V);
     }
     [[gnu::flatten, gnu::noinline]] void load() const {
-        for (std::size_t i = 0; i < pack_.particles; ++i)
+        const LinkProjection here = *this;
+        here.load_here();
+    }
+    [[gnu::always_inline]] void load_here() const {
+        for (std::size_t i = 0; i < pack_.particles; ++i) {
+            const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
+            if constexpr (width > 1)
+                if (are_adjacent(slots)) {
+                    for (std::size_t k = 0; k < D; ++k)
+                        set_particle(i, Fields::displacement + k,
+                                     __builtin_convertvector((lane::load<lane::Pack<Real, int(width)>>(
+                                         columns_.displacement + k * columns_.stride + slots[0])), V));
+                    continue;
+                }
             for (std::size_t k = 0; k < D; ++k)
                 set_particle(i, Fields::displacement + k, gather(columns_.displacement + k * columns_.stride, i));
+        }
+    }
+    /// True if the lanes lie side by side in the columns, as those of copies do.
+    [[gnu::always_inline]] static bool are_adjacent(const std::uint32_t* slots) {
+        std::uint32_t off = 0;
+        for (std::size_t l = 1; l < width; ++l) off |= slots[l] ^ (slots[0] + std::uint32_t(l));
+        return off == 0;
     }
     [[gnu::flatten, gnu::noinline]] void store() const {
+        const LinkProjection here = *this;
+        here.store_here();
+    }
+    [[gnu::always_inline]] void store_here() const {
         for (std::size_t i = 0; i < pack_.particles; ++i) {
             if (!pack_.moves[i]) continue; // another pack may read an immovable particle
             const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
+            if constexpr (width > 1)
+                if (first_ == 0 && last_ == width && are_adjacent(slots)) {
+                    for (std::size_t k = 0; k < D; ++k)
+                        lane::store(columns_.displacement + k * columns_.stride + slots[0],
+                                    __builtin_convertvector(particle(i, Fields::displacement + k),
+                                                            lane::Pack<Real, int(width)>));
+                    continue;
+                }
             for (std::size_t k = 0; k < D; ++k) {
                 const V numbers = particle(i, Fields::displacement + k);
                 for (auto l = first_; l < last_; ++l)
@@ -109,6 +153,10 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     /// Edges at the present places. A rope shorter than the share `taut` of its length lets go. Lanes in which that
     /// happened, or a link has turned since the directions were taken.
     [[gnu::flatten, gnu::noinline]] Mask measure() const {
+        const LinkProjection here = *this;
+        return here.measure_here();
+    }
+    [[gnu::always_inline]] Mask measure_here() const {
         Vector at[2];
         V changed{};
         each_link([&](std::uint32_t k, const LinkRow& row) {
@@ -150,11 +198,18 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
 
     // --- projections -------------------------------------------------------------------------------------------------
 
+    [[gnu::flatten, gnu::noinline]] void take_rates() const {
+        const LinkProjection here = *this;
+        here.take_rates_here();
+    }
+    [[gnu::always_inline]] void take_rates_here() const {
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            set_link(k, Fields::right, dot(link_vector(k, Fields::along), between(row)) * link(k, Fields::active));
+        });
+    }
     [[gnu::flatten, gnu::noinline]] void project_velocities(Mask live) const {
         for (int i = 0; i < max_rounds; ++i) {
-            each_link([&](std::uint32_t k, const LinkRow& row) {
-                set_link(k, Fields::right, dot(link_vector(k, Fields::along), between(row)) * link(k, Fields::active));
-            });
+            take_rates();
             Solution::solve();
             if (!pack_.has_ropes) return apply(live);
             const Mask released = i + 1 < max_rounds ? release(live) : lane::without(live, live);
@@ -246,6 +301,8 @@ template <int D, class Real> constexpr LinkKernels<D, Real> link_kernels() {
     return {
         .factorise = [](const Columns& columns, const LinkPack<D>& pack,
                         int only) { each_lane(columns, pack, only, [](auto& projection) { projection.factorise(); }); },
+        .weigh = [](const Columns& columns, const LinkPack<D>& pack,
+                    int only) { each_lane(columns, pack, only, [](auto& projection) { projection.weigh(); }); },
         .velocities =
             [](const Columns& columns, const LinkPack<D>& pack, int only) {
                 each_lane(columns, pack, only, [](auto& projection) { projection.velocities(); });

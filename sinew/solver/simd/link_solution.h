@@ -41,6 +41,10 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
     // --- solutions ---------------------------------------------------------------------------------------------------
 
     [[gnu::flatten, gnu::noinline]] void apply(const Mask& mask) const {
+        const LinkSolution here = *this;
+        here.apply_here(mask);
+    }
+    [[gnu::always_inline]] void apply_here(const Mask mask) const {
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const V right = mask ? link(k, Fields::right) : V{};
             const Vector along = link_vector(k, Fields::along);
@@ -53,6 +57,10 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
     }
     /// Applies at most such a share of the solution that no link changes by more than `max_change` of its length.
     [[gnu::flatten, gnu::noinline]] void apply_within(const Mask& mask) const {
+        const LinkSolution here = *this;
+        here.apply_within_here(mask);
+    }
+    [[gnu::always_inline]] void apply_within_here(const Mask mask) const {
         constexpr double max_change = 0.2;
         for (std::size_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::added, Vector{});
         each_link([&](std::uint32_t k, const LinkRow& row) {
@@ -116,6 +124,10 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
 
     /// Displacement in which the energy is measured: of the first particle that cannot move, or the mean.
     [[gnu::flatten, gnu::noinline]] Vector frame() const {
+        const LinkSolution here = *this;
+        return here.frame_here();
+    }
+    [[gnu::always_inline]] Vector frame_here() const {
         Vector frame{};
         V mass{};
         for (std::size_t i = 0; i < pack_.particles; ++i) {
@@ -131,6 +143,10 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
     }
     /// Kinetic energy in that frame, times 2 h^2.
     [[gnu::flatten, gnu::noinline]] V energy_in(const Vector& frame) const {
+        const LinkSolution here = *this;
+        return here.energy_here(frame);
+    }
+    [[gnu::always_inline]] V energy_here(const Vector frame) const {
         V sum{};
         for (std::size_t i = 0; i < pack_.particles; ++i) {
             const Vector own = displacement(i) - frame;
