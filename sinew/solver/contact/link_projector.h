@@ -16,7 +16,7 @@ namespace sinew::detail {
 ///
 /// A rope takes part while it pulls: an active set, kept from substep to substep. A projection of velocities never adds
 /// energy. One of lengths may, where links lie in line: energy above that before is taken back once the particles have
-/// moved. Components of equal structure are solved side by side in lanes (simd/link_projection.h).
+/// moved. Particles that are braced are one body, a cluster, whose links are no rows. Components of equal structure are solved side by side in lanes (simd/link_projection.h).
 template <int D, class Real> class LinkProjector {
   public:
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
@@ -78,9 +78,12 @@ template <int D, class Real> class LinkProjector {
         marked_.clear();
     }
 
-    /// Stores the multipliers, as of constraints of the sweep.
+    /// Stores the multipliers, as of constraints of the sweep. Forces within a cluster are not determined.
     void store(World<D, Real>& world) const {
         auto& table = std::get<kind_number<Distance, D>>(world.constraints);
+        for (const auto& component : links_.components)
+            for (auto k = component.last_link; k < component.last_inner; ++k)
+                table.multiplier[links_.list[k].row] = Real(0);
         packs_.each_link(links_, [&](const RigidLink& link, const LinkPack<D>& pack, std::size_t k, std::size_t lane) {
             table.multiplier[link.row] = clamp(Real(-pack.of_link(k, LinkFields<D>::tension)[lane]),
                                                -limit::multiplier<Real>, limit::multiplier<Real>);

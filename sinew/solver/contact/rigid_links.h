@@ -2,6 +2,7 @@
 
 #include "sinew/math/sort.h"
 #include "sinew/math/union_find.h"
+#include "sinew/solver/contact/rigid_clusters.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
 
@@ -25,26 +26,10 @@ template <int D, class Real> bool is_link(const Constraints<Distance<D>, Real>& 
            (table.low(row) == table.high(row) || (table.low(row) <= Real(0) && table.high(row) < limit::measure<Real>));
 }
 
-/// Link of a colliding figure.
-struct RigidLink {
-    Row row = 0;             ///< in the table of distances
-    Row a = 0, b = 0;        ///< slots of the sweep
-    Row root = 0;            ///< component
-    std::uint32_t first = 0; ///< first column of the skyline, in the list
-    bool is_rope = false;    ///< may be shorter
-    bool is_active = true;   ///< holds its length at first; a rope does while it pulls
-    double length = 0;
-    bool moves_a = false, moves_b = false; ///< the ends
-
-    bool is_same_as(const RigidLink& other) const {
-        return row == other.row && a == other.a && b == other.b && is_rope == other.is_rope && length == other.length &&
-               moves_a == other.moves_a && moves_b == other.moves_b;
-    }
-};
-
-/// Connected component of rigid links.
+/// Connected component of rigid links; those within clusters come last.
 struct LinkComponent {
-    std::uint32_t first_link = 0, last_link = 0;
+    std::uint32_t first_link = 0, last_link = 0, last_inner = 0;
+    std::uint32_t first_cluster = 0, last_cluster = 0;
     std::uint32_t first_slot = 0, last_slot = 0; ///< range of RigidLinks::slots
 };
 
@@ -55,6 +40,7 @@ template <int D, class Real> struct RigidLinks {
     std::vector<LinkComponent> components;
     std::vector<Row> slots;                  ///< by components, in order
     std::vector<std::uint32_t> component_of; ///< per slot that can move; `none` without rigid links
+    RigidClusters<D> clusters;
     std::vector<char> is_swept; ///< per slot: a distance that is not plain, or part of a mesh, is at the particle
 
     static constexpr std::uint32_t none = ~std::uint32_t(0);
@@ -73,7 +59,8 @@ template <int D, class Real> struct RigidLinks {
             std::swap(found_, last_);
             list = last_.links, is_swept = last_.is_swept, is_exact_ = last_.is_exact;
             order_by_component();
-            keep_narrow(state);
+            find_clusters(state);
+            keep_narrow();
             list_slots(state);
         }
         is_exact = is_exact_;
@@ -136,25 +123,44 @@ template <int D, class Real> struct RigidLinks {
                     [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
     }
 
-    void keep_narrow(const SweepState<D, Real>& state) {
+    /// Clusters of each component. Its other links are ordered from the ends of limbs to the clusters on which these
+    /// hang, those within clusters come last.
+    void find_clusters(const SweepState<D, Real>& state) {
+        clusters.clear(state.size());
+        for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
+            while (end < list.size() && list[end].root == list[begin].root) ++end;
+            const auto links = std::span(list).subspan(begin, end - begin);
+            if (clusters.find(links, [&](Row slot) { return state.position_at(slot); })) clusters.order(links);
+        }
+    }
+    void keep_narrow() {
         constexpr std::size_t max_per_link = 100;
-        first_at_.assign(state.size(), none);
+        first_at_.assign(is_swept.size(), none);
         components.clear();
+        std::uint32_t cluster = 0;
         std::size_t kept = 0;
         for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
             while (end < list.size() && list[end].root == list[begin].root) ++end;
             const auto kept_before = kept;
-            std::size_t size = 0;
+            std::size_t size = 0, outer = 0;
             for (auto i = begin; i < end; ++i, ++kept) {
                 list[kept] = list[i];
+                if (clusters.is_inner(list[i])) continue;
                 size += width_of(std::uint32_t(kept));
+                ++outer;
             }
-            if (size > max_per_link * (end - begin)) {
+            const auto first_cluster = cluster;
+            while (cluster < clusters.ranges.size() && clusters.root_of(cluster) == list[kept_before].root) ++cluster;
+            if (size > max_per_link * outer) {
                 for (auto i = kept_before; i < kept; ++i) leave_to_sweep(list[i]);
                 kept = kept_before;
                 continue;
             }
-            components.push_back({.first_link = std::uint32_t(kept_before), .last_link = std::uint32_t(kept)});
+            components.push_back({.first_link = std::uint32_t(kept_before),
+                                  .last_link = std::uint32_t(kept_before + outer),
+                                  .last_inner = std::uint32_t(kept),
+                                  .first_cluster = first_cluster,
+                                  .last_cluster = cluster});
         }
         list.resize(kept);
     }
@@ -168,8 +174,9 @@ template <int D, class Real> struct RigidLinks {
         link.first = k;
         for (const auto& [slot, moves] : {std::pair{link.a, link.moves_a}, {link.b, link.moves_b}}) {
             if (!moves) continue;
-            if (first_at_[slot] == none) first_at_[slot] = k;
-            link.first = std::min(link.first, first_at_[slot]);
+            auto& first = first_at_[clusters.node_of(slot)];
+            if (first == none) first = k;
+            link.first = std::min(link.first, first);
         }
         return k - link.first;
     }
@@ -180,7 +187,7 @@ template <int D, class Real> struct RigidLinks {
         for (std::uint32_t i = 0; i < components.size(); ++i) {
             auto& component = components[i];
             component.first_slot = std::uint32_t(slots.size());
-            for (auto k = component.first_link; k < component.last_link; ++k) {
+            for (auto k = component.first_link; k < component.last_inner; ++k) {
                 slots.push_back(list[k].a), slots.push_back(list[k].b);
                 if (list[k].moves_a) component_of[list[k].a] = i;
                 if (list[k].moves_b) component_of[list[k].b] = i;

@@ -35,6 +35,13 @@ template <int D, class V> class LinkLanes {
         put_vector(pack_.of_link(i, field), to);
     }
 
+    // --- clusters ----------------------------------------------------------------------------------------------------
+    using Spin = lane::Arrow<spins<D>, V>;
+    Spin end(std::size_t link, std::size_t field) const { return get_vector<spins<D>>(pack_.of_end(link, field)); }
+    void set_end(std::size_t link, std::size_t field, const Spin& to) const {
+        put_vector(pack_.of_end(link, field), to);
+    }
+
     static V number(double x) { return lane::spread<V>(x); }
     static V inverse_or_zero(const V& x) {
         return x >= number(std::numeric_limits<double>::min()) ? number(1) / x : V{};
@@ -77,19 +84,40 @@ template <int D, class V> class LinkLanes {
     const LinkPack<D> pack_; ///< a copy: stores of numbers might change what lies elsewhere
     std::size_t lane_;
 
-  private:
     V get(const double* from) const { return lane::load<V>(from + lane_); }
     void put(double* to, const V& number) const { lane::store(to + lane_, number); }
-    Vector get_vector(const double* from) const {
-        Vector v;
-        for (std::size_t k = 0; k < D; ++k) v.at[k] = get(from + k * pack_.stride);
+    template <int N = D> lane::Arrow<N, V> get_vector(const double* from) const {
+        lane::Arrow<N, V> v;
+        for (std::size_t k = 0; k < std::size_t(N); ++k) v.at[k] = get(from + k * pack_.stride);
         return v;
     }
-    void put_vector(double* to, const Vector& v) const {
-        for (std::size_t k = 0; k < D; ++k) put(to + k * pack_.stride, v.at[k]);
+    template <int N> void put_vector(double* to, const lane::Arrow<N, V>& v) const {
+        for (std::size_t k = 0; k < std::size_t(N); ++k) put(to + k * pack_.stride, v.at[k]);
     }
 
+  private:
+
+    /// n_i^T W n_j, W being the displacement of the ends by impulses on them: of particles, or of a cluster
+    ///
+    ///     1 / m + (r_i x n_i)^T I^-1 (r_j x n_j)
+    V cluster_coupling(std::uint32_t i, std::uint32_t j) const {
+        const auto &k = pack_.rows[i], &m = pack_.rows[j];
+        V weights{}, turns{};
+        const auto meet = [&](std::uint32_t a, std::uint32_t in_a, std::uint32_t b, std::uint32_t in_b,
+                              std::size_t weight, std::size_t turn, std::size_t arm, double sign) {
+            if (in_a != in_b || (in_a == no_member && a != b)) return;
+            weights = weights + link(i, weight) * number(sign);
+            if (in_a != no_member) turns = turns + dot(end(i, turn), end(j, arm)) * number(sign);
+        };
+        meet(k.a, k.cluster_a, m.a, m.cluster_a, Fields::weight_a, Fields::turn_a, Fields::arm_a, 1);
+        meet(k.b, k.cluster_b, m.b, m.cluster_b, Fields::weight_b, Fields::turn_b, Fields::arm_b, 1);
+        meet(k.a, k.cluster_a, m.b, m.cluster_b, Fields::weight_a, Fields::turn_a, Fields::arm_b, -1);
+        meet(k.b, k.cluster_b, m.a, m.cluster_a, Fields::weight_b, Fields::turn_b, Fields::arm_a, -1);
+        const V sum = weights * dot(link_vector(i, Fields::along), link_vector(j, Fields::along)) + turns;
+        return sum * (link(i, Fields::active) * link(j, Fields::active));
+    }
     V coupling(std::uint32_t i, std::uint32_t j) const {
+        if (pack_.clusters > 0) return cluster_coupling(i, j);
         const auto &k = pack_.rows[i], &m = pack_.rows[j];
         V sum{};
         if (k.a == m.a) sum = sum + link(i, Fields::weight_a);
@@ -107,7 +135,12 @@ template <int D, class V> class LinkLanes {
     void factorise_row(std::uint32_t k) const {
         constexpr double softness = D == 3 ? 1e-6 : 1e-7;
         const auto& row = pack_.rows[k];
-        V pivot = (link(k, Fields::weight_a) + link(k, Fields::weight_b)) * number(1 + softness);
+        V pivot = link(k, Fields::weight_a) + link(k, Fields::weight_b);
+        if (row.cluster_a != no_member) pivot = pivot + dot(end(k, Fields::turn_a), end(k, Fields::arm_a));
+        if (row.cluster_b != no_member) pivot = pivot + dot(end(k, Fields::turn_b), end(k, Fields::arm_b));
+        if (row.cluster_a != no_member && row.cluster_a == row.cluster_b)
+            pivot = cluster_coupling(k, k);
+        pivot = pivot * number(1 + softness);
         for (auto m = row.first; m < k; ++m) {
             const auto& other = pack_.rows[m];
             V sum = coupling(k, m);

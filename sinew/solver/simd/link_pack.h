@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/math/moments.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -9,6 +11,14 @@ namespace sinew {
 /// Most components of a pack.
 inline constexpr std::size_t max_link_lanes = 8;
 
+inline constexpr std::uint32_t no_member = ~std::uint32_t(0);
+
+/// Particles of a component that move as one rigid body: a range of its members.
+struct LinkCluster {
+    std::uint32_t first = 0, last = 0;
+    friend constexpr bool operator==(const LinkCluster&, const LinkCluster&) = default;
+};
+
 /// Link of a component, and its row in the skyline of G M^-1 G^T. Particles and links are numbered within the
 /// component.
 struct LinkRow {
@@ -17,6 +27,8 @@ struct LinkRow {
     std::uint32_t start = 0;    ///< first entry
     std::uint32_t is_rope = 0;  ///< may be shorter than its length
     std::uint32_t moves = 0;    ///< bits: a can move, b can move
+    std::uint32_t member_a = no_member, member_b = no_member; ///< numbers among the members of clusters
+    std::uint32_t cluster_a = no_member, cluster_b = no_member;
     friend constexpr bool operator==(const LinkRow&, const LinkRow&) = default;
 };
 
@@ -33,6 +45,19 @@ template <int D> struct LinkFields {
     static constexpr std::size_t active = length + 5;  ///< 1: holds its length; a rope does while it pulls
     static constexpr std::size_t right = length + 6;   ///< right side, then solution
     static constexpr std::size_t pivot = length + 7, of_link = pivot + 1;
+    // Numbers of a link, where there are clusters: of its ends in clusters.
+    static constexpr std::size_t arm_a = 0, arm_b = spins<D>;            ///< moment of the direction, r x n
+    static constexpr std::size_t turn_a = 2 * spins<D>, turn_b = 3 * spins<D>; ///< turn by a unit impulse, I^-1 arm
+    static constexpr std::size_t of_ends = 4 * spins<D>;
+    // Numbers of a cluster.
+    static constexpr std::size_t per_mass = 0, motion = 1, turn = 1 + D; ///< of the whole, in the substep
+    static constexpr std::size_t spin = turn + spins<D>;                 ///< inertia times turn
+    static constexpr std::size_t push = spin + spins<D>, twist = push + D; ///< motion and turn to be added
+    static constexpr std::size_t inverse_inertia = twist + spins<D>;
+    static constexpr std::size_t of_cluster = inverse_inertia + (D == 2 ? 1 : 9);
+    // Numbers of a member of a cluster, from its centre.
+    static constexpr std::size_t rest = 0, now = D, end = 2 * D; ///< at the ends of the substep
+    static constexpr std::size_t off = 3 * D, of_member = 4 * D; ///< off: from the particle to its place in the cluster
 };
 
 /// Components of equal structure. A field has `stride` numbers, one for each lane: records of the particles, of the
@@ -46,6 +71,9 @@ template <int D> struct LinkPack {
     const std::uint32_t* slots =
         nullptr;                 ///< of the sweep, `stride` for each particle; unused lanes have those of the first
     const char* moves = nullptr; ///< per particle
+    std::uint32_t clusters = 0, members = 0;
+    const LinkCluster* ranges = nullptr;        ///< per cluster
+    const std::uint32_t* particle_of = nullptr; ///< per member
     double* numbers = nullptr;
 
     double* of_particle(std::size_t i, std::size_t field) const {
@@ -56,8 +84,20 @@ template <int D> struct LinkPack {
     }
     double* entry(std::size_t i) const { return of_link(links, 0) + i * stride; }
     double* energy() const { return entry(entries); } ///< due, in its frame, times 2 h^2
+    double* of_end(std::size_t link, std::size_t field) const {
+        return entry(entries + 1) + (link * LinkFields<D>::of_ends + field) * stride;
+    }
+    double* of_cluster(std::size_t i, std::size_t field) const {
+        return of_end(links, 0) + (i * LinkFields<D>::of_cluster + field) * stride;
+    }
+    double* of_member(std::size_t i, std::size_t field) const {
+        return of_cluster(clusters, 0) + (i * LinkFields<D>::of_member + field) * stride;
+    }
     std::size_t size() const {
-        return (particles * LinkFields<D>::of_particle + links * LinkFields<D>::of_link + entries + 1) * stride;
+        using Fields = LinkFields<D>;
+        const auto plain = particles * Fields::of_particle + links * Fields::of_link + entries + 1;
+        const auto rigid = links * Fields::of_ends + clusters * Fields::of_cluster + members * Fields::of_member;
+        return (plain + (clusters > 0 ? rigid : 0)) * stride;
     }
 };
 

@@ -30,6 +30,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
             set_particle(i, Fields::mobility, mobility);
             set_particle(i, Fields::mass, inverse_or_zero(mobility));
         }
+        if (pack_.clusters > 0) load_places(), Solution::begin_shapes(place());
         measure();
         take_directions(live_);
         Solution::factorise();
@@ -51,13 +52,19 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     void lengths() {
         load();
         Solution::set_energy(energy_in(frame()));
-        correct_lengths();
+        correct_lengths(false);
     }
     void lengths_again() {
         load();
-        correct_lengths();
+        correct_lengths(true);
     }
     void restore() {
+        if (pack_.clusters > 0) {
+            load(), load_places();
+            Solution::end_arcs(), Solution::fit(place(), 2);
+            restore_velocities();
+            return;
+        }
         const Mask changed = lane::both(live_, measure());
         if (lane::any(changed)) {
             take_directions(changed);
@@ -70,6 +77,27 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     }
 
   private:
+    void restore_velocities() {
+        const Mask changed = lane::both(live_, measure());
+        if (lane::any(changed)) {
+            take_directions(changed);
+            Solution::factorise();
+        }
+        project_velocities(live_);
+        restore_energy();
+        store();
+    }
+    /// Places of the members of clusters, for a while in place of what is added.
+    void load_places() const {
+        for (std::size_t k = 0; k < pack_.members; ++k)
+            for (std::size_t c = 0; c < D; ++c)
+                set_particle(pack_.particle_of[k], Fields::added + c,
+                             gather(columns_.position + c * columns_.stride, pack_.particle_of[k]));
+    }
+    auto place() const {
+        return [this](std::size_t p) { return particle_vector(p, Fields::added); };
+    }
+
     static constexpr int max_rounds = 8;
     static constexpr double taut = 1 - 1e-4; ///< share of its length at which a rope may begin to pull
     /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: the
@@ -169,6 +197,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
             const V length = norm(edge), off_by = length * number(slightly_turned);
             const Vector off = edge - link_vector(k, Fields::along) * length;
             changed = off_by * off_by < dot(off, off) ? number(1) : changed;
+            if (pack_.clusters > 0) changed = Solution::arms_turned(k, row, slightly_turned) ? number(1) : changed;
             if (row.is_rope == 0) return;
             const V active = link(k, Fields::active);
             const Mask lets_go = lane::both(active > V{}, length < number(taut) * link(k, Fields::length));
@@ -185,6 +214,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
                             blend(mask, edge * inverse_or_zero(norm(edge)), link_vector(k, Fields::along)));
             set_link(k, Fields::weight_a, particle(row.a, Fields::mobility));
             set_link(k, Fields::weight_b, particle(row.b, Fields::mobility));
+            if (pack_.clusters > 0) Solution::weigh_ends(k, row, Fields::now, mask);
         });
     }
     void turn_gradients(const Mask& mask) const {
@@ -192,6 +222,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
             const Vector edge = link_vector(k, Fields::edge) + between(row);
             set_link_vector(k, Fields::along,
                             blend(mask, edge * inverse_or_zero(norm(edge)), link_vector(k, Fields::along)));
+            if (pack_.clusters > 0) Solution::weigh_ends(k, row, Fields::end, mask);
         });
         Solution::factorise();
     }
@@ -208,6 +239,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
         });
     }
     [[gnu::flatten, gnu::noinline]] void project_velocities(Mask live) const {
+        if (pack_.clusters > 0) Solution::hold_velocities(live);
         for (int i = 0; i < max_rounds; ++i) {
             take_rates();
             Solution::solve();
@@ -225,10 +257,12 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
         }
     }
 
-    void correct_lengths() {
+    void correct_lengths(bool again) {
         for (std::uint32_t i = 0; i < pack_.particles; ++i)
             set_particle_vector(i, Fields::before, blend(live_, displacement(i), particle_vector(i, Fields::before)));
+        if (pack_.clusters > 0) Solution::begin_places(again, live_);
         project_lengths();
+        if (pack_.clusters > 0) Solution::end_places();
         store();
     }
     V excess(std::uint32_t k, const LinkRow& row) const {

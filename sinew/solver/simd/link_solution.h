@@ -1,20 +1,20 @@
 #pragma once
 
-#include "sinew/solver/simd/link_factor.h"
+#include "sinew/solver/simd/link_clusters.h"
 
 namespace sinew {
 namespace {
 
 /// Solutions of the links of the components in the lanes of V: applied to the particles, with ropes that pull only by
 /// an active set. A component that is not in the mask of a function stays as it is.
-template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
+template <int D, class V> class LinkSolution : protected LinkClusters<D, V> {
   protected:
-    using Lanes = LinkLanes<D, V>;
+    using Lanes = LinkClusters<D, V>;
     using Fields = LinkFields<D>;
     using Lanes::number, Lanes::inverse_or_zero, Lanes::link, Lanes::set_link, Lanes::particle, Lanes::pack_;
     using Lanes::particle_vector, Lanes::set_particle_vector, Lanes::link_vector;
-    using typename Lanes::Vector;
-    using Mask = decltype(V{} < V{});
+    using Lanes::blend, Lanes::displacement;
+    using typename Lanes::Mask, typename Lanes::Vector;
     static constexpr std::size_t width = sizeof(V) / sizeof(double);
     static constexpr double slight = 1e-9; ///< change of a link that counts as none, as a share of its length
 
@@ -26,14 +26,8 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
         else
             return a | b;
     }
-    Vector displacement(std::size_t i) const { return particle_vector(i, Fields::displacement); }
     Vector between(const LinkRow& row) const { return displacement(row.b) - displacement(row.a); }
     static V norm(const Vector& v) { return lane::root(dot(v, v)); }
-    static Vector blend(const Mask& mask, const Vector& a, const Vector& b) {
-        Vector v;
-        for (int k = 0; k < D; ++k) v.at[k] = mask ? a.at[k] : b.at[k];
-        return v;
-    }
     template <class Visit> void each_link(Visit&& visit) const {
         for (std::uint32_t k = 0; k < pack_.links; ++k) visit(k, pack_.rows[k]);
     }
@@ -45,6 +39,7 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
         here.apply_here(mask);
     }
     [[gnu::always_inline]] void apply_here(const Mask mask) const {
+        if (pack_.clusters > 0) return apply_by_clusters(mask);
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const V right = mask ? link(k, Fields::right) : V{};
             const Vector along = link_vector(k, Fields::along);
@@ -54,6 +49,22 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
             set_particle_vector(row.b, Fields::displacement,
                                 displacement(row.b) - along * (right * link(k, Fields::weight_b)));
         });
+    }
+    void apply_by_clusters(const Mask& mask) const {
+        Lanes::clear_pushes();
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            const V right = mask ? link(k, Fields::right) : V{};
+            const Vector along = link_vector(k, Fields::along);
+            set_link(k, Fields::tension, link(k, Fields::tension) + right);
+            if (row.cluster_a == no_member)
+                set_particle_vector(row.a, Fields::displacement,
+                                    displacement(row.a) + along * (right * link(k, Fields::weight_a)));
+            if (row.cluster_b == no_member)
+                set_particle_vector(row.b, Fields::displacement,
+                                    displacement(row.b) - along * (right * link(k, Fields::weight_b)));
+            Lanes::push_ends(k, row, right);
+        });
+        Lanes::add_pushes();
     }
     /// Applies at most such a share of the solution that no link changes by more than `max_change` of its length.
     [[gnu::flatten, gnu::noinline]] void apply_within(const Mask& mask) const {
@@ -71,6 +82,7 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
             set_particle_vector(row.b, Fields::added,
                                 particle_vector(row.b, Fields::added) - along * (right * link(k, Fields::weight_b)));
         });
+        if (pack_.clusters > 0) add_by_clusters();
         V largest{};
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const Vector change = particle_vector(row.b, Fields::added) - particle_vector(row.a, Fields::added);
@@ -83,6 +95,17 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
         });
         for (std::size_t i = 0; i < pack_.particles; ++i)
             set_particle_vector(i, Fields::displacement, displacement(i) + particle_vector(i, Fields::added) * share);
+        if (pack_.clusters > 0) Lanes::move_clusters(share);
+    }
+    /// Members are added what their clusters are.
+    void add_by_clusters() const {
+        Lanes::clear_pushes();
+        each_link([&](std::uint32_t k, const LinkRow& row) { Lanes::push_ends(k, row, link(k, Fields::right)); });
+        Lanes::each_cluster([&](std::size_t i) {
+            Lanes::each_member(i, [&](std::size_t k, std::size_t p) {
+                set_particle_vector(p, Fields::added, Lanes::pushed(i, k, Fields::end));
+            });
+        });
     }
 
     // --- ropes -------------------------------------------------------------------------------------------------------
