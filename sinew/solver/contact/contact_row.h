@@ -25,6 +25,7 @@ template <int D, class Real> struct ContactRow {
     Real max = 0;        ///< largest multiplier in this substep
     std::uint8_t members = 0;
     bool keeps = true;    ///< the multiplier outlasts the substep
+    bool rolls = false;   ///< friction turns a particle
     signed char side = 0; ///< 2D: of the segment on which the particle is, 1: left of a-b
 };
 

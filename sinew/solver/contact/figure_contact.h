@@ -116,7 +116,7 @@ template <int D, class Real> class FigureContact {
 
     void apply_again(RowT& row) {
         if (!row.keeps) row.multiplier = 0, row.tangent = {};
-        if (row.multiplier > Real(0)) rows_.apply(row, row.normal * row.multiplier + row.tangent);
+        if (row.multiplier > Real(0)) rows_.apply_again(row);
     }
 
     /// Scales the kept multipliers, with the square of the substep; returns the factor.

@@ -10,6 +10,19 @@
 /// Contact of a swept particle with a plane; a collider is a plane at each contact.
 namespace sinew::detail {
 
+/// Friction of a wall on a particle that is displaced along it, up to `bound`: returns what takes effect on the
+/// particle, and turns one that rolls.
+template <int D, class Real>
+Vec<D, Real> rub(SweepState<D, Real>& swept, Row slot, const Vec<D, Real>& normal, const Vec<D, Real>& along,
+                 Real bound) {
+    if (!swept.rolls(slot)) return along * coulomb_share(bound, norm(along));
+    auto& roller = swept.rollers[slot];
+    const auto slip = along + slip_of_rim(roller.rim, normal);
+    const auto slowed = slip * min(coulomb_share(bound, norm(slip)), Real(1) / (Real(1) + roller.per_inertia));
+    roller.rim -= turn_of_rim(normal, slowed) * roller.per_inertia;
+    return slowed;
+}
+
 template <int D, class Real> class PlaneContact {
   public:
     PlaneContact(World<D, Real>& world, Solver<D, Real>& solver, SubstepMover<D, Real>& mover)
@@ -38,8 +51,8 @@ template <int D, class Real> class PlaneContact {
         if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
         const RelativeMotion<D, Real> motion(plane.normal, swept_.displacement_at(slot) - surface_displacement);
         const Real stopped = min(depth, mover_.furthest);
-        const Real slowed = coulomb_share(plane.friction * stopped, norm(motion.along));
-        mover_.displace_at(slot, plane.normal * stopped - motion.along * slowed);
+        const auto slowed = rub(swept_, slot, plane.normal, motion.along, plane.friction * stopped);
+        mover_.displace_at(slot, plane.normal * stopped - slowed);
         if (!mover_.first_iteration) return stopped;
         const Real added = mover_.h * norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration);
         const Real carried = dot(plane.normal, surface_displacement) * mover_.per_h;

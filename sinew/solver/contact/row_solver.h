@@ -24,6 +24,15 @@ template <int D, class Real> class RowSolver {
             state_.set_displacement(row.slot[i], clamp_components(moved, furthest_));
         }
     }
+    /// Gives the multiplier of friction once more, and turns what it rubs.
+    void apply_again(const RowT& row) const {
+        apply(row, row.normal * row.multiplier + row.tangent);
+        if (row.rolls) turn(row, row.tangent);
+    }
+    /// True for a member that is touched itself, as a ball is; ends of links share a contact between them.
+    static bool is_ball(const RowT& row, std::size_t i) {
+        return row.weight[i] == Real(1) || row.weight[i] == Real(-1);
+    }
     Vector relative_displacement(const RowT& row) const {
         auto sum = state_.displacement_at(row.slot[0]) * row.weight[0];
         for (std::size_t i = 1; i < row.slot.size(); ++i) sum += state_.displacement_at(row.slot[i]) * row.weight[i];
@@ -39,13 +48,16 @@ template <int D, class Real> class RowSolver {
         const Real along = dot(row.normal, moved);
         const Real next =
             min(one_sided_multiplier(row.multiplier, row.mass, along, row.gap, soft), limit::multiplier<Real>);
-        const auto slip = moved - row.normal * along;
-        auto tangent = row.tangent - slip * row.mass;
+        auto slip = moved - row.normal * along;
+        Real mass = row.mass;
+        if (row.rolls) add_turns(row, slip, mass);
+        auto tangent = row.tangent - slip * mass;
         const Real square_size = dot(tangent, tangent), max_friction = row.friction * next;
         if (square_size > square(max_friction)) tangent *= max_friction * inverse_or_zero(square_root(square_size));
         row.max = max(row.max, next);
         if (next == row.multiplier && tangent == row.tangent) return;
         apply(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
+        if (row.rolls) turn(row, tangent - row.tangent);
         row.multiplier = next;
         row.tangent = tangent;
     }
@@ -64,6 +76,27 @@ template <int D, class Real> class RowSolver {
   private:
     SweepState<D, Real>& state_;
     Real furthest_;
+
+    template <class Visit> void each_ball(const RowT& row, const Visit& visit) const {
+        for (std::size_t i = 0; i < std::size_t(row.members); ++i)
+            if (is_ball(row, i) && state_.rolls(row.slot[i])) visit(row.slot[i]);
+    }
+    /// What turns add to the slip, and to the response of it.
+    void add_turns(const RowT& row, Vector& slip, Real& mass) const {
+        Real response = Real(1) / mass;
+        each_ball(row, [&](Row slot) {
+            slip += slip_of_rim(state_.rollers[slot].rim, row.normal);
+            response += state_.rim_mobility(slot);
+        });
+        mass = Real(1) / response;
+    }
+    void turn(const RowT& row, const Vector& impulse) const {
+        const auto by = turn_of_rim(row.normal, impulse);
+        each_ball(row, [&](Row slot) {
+            auto& rim = state_.rollers[slot].rim;
+            rim = clamp_components(rim + by * state_.rim_mobility(slot), furthest_);
+        });
+    }
 };
 
 } // namespace sinew::detail

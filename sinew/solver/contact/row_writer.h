@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/contact/row_solver.h"
 
 namespace sinew::detail {
 
@@ -26,6 +27,9 @@ template <int D, class Real> class RowWriter {
     Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
 
+    bool rolls(const ContactRowT& row, std::size_t i) const {
+        return RowSolver<D, Real>::is_ball(row, i) && state_.rolls(row.slot[i]);
+    }
     static void take(ContactRowT& row, Row slot, Real weight) {
         row.slot[row.members] = slot;
         row.weight[row.members++] = weight;
@@ -46,6 +50,7 @@ template <int D, class Real> class RowWriter {
         if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
         for (int i = 0; i < row.members; ++i) row.keeps = row.keeps && room_.is_exact[row.slot[std::size_t(i)]];
         for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
+        for (int i = 0; i < row.members; ++i) row.rolls = row.rolls || rolls(row, std::size_t(i));
         row.mass = Real(1) / response;
         origin.approach = approach;
         row.tangent -= row.normal * dot(row.normal, row.tangent);

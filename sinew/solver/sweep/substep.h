@@ -42,6 +42,7 @@ template <int D, class Real> class Substep {
             std::fill(swept_.blows.begin() + tile.first, swept_.blows.begin() + tile.last, WallBlow<D, Real>{});
         if (swept_.everyone_alike) {
             predictor_.weigh(tile);
+            predictor_.slow_turns(tile);
             kernels_.drift(motion_, tile.first, tile.last);
         } else {
             for (Row slot = tile.first; slot < tile.last; ++slot) predictor_.predict(slot);
@@ -157,7 +158,10 @@ template <int D, class Real> class Substep {
 
     /// x += h v. The rounding error is carried to the next substep: otherwise a float particle slower than half a
     /// unit in the last place per substep would not move.
-    void advance(const Tile& tile) { kernels_.advance(motion_, tile.first, tile.last); }
+    void advance(const Tile& tile) {
+        roll(tile);
+        kernels_.advance(motion_, tile.first, tile.last);
+    }
 
     /// Velocities of particles that struck planes or colliders, by restitution and friction.
     void rebound(const Tile& tile) {
@@ -170,8 +174,8 @@ template <int D, class Real> class Substep {
             const auto velocity = swept_.velocity_at(slot);
             const Real added = max(Real(0), speed - dot(normal, velocity));
             const RelativeMotion<D, Real> motion(normal, velocity - blow.surface);
-            const Real slowed = coulomb_share(blow.friction * added, norm(motion.along));
-            swept_.set_displacement(slot, (velocity + normal * added - motion.along * slowed) * mover_.h);
+            const auto slowed = rub(swept_, slot, normal, motion.along * mover_.h, blow.friction * added * mover_.h);
+            swept_.set_displacement(slot, (velocity + normal * added) * mover_.h - slowed);
             if (blow.collider > 0)
                 solver_.touches.add(swept_.row_of[slot], blow.collider - 1,
                                     added * inverse_or_zero(swept_.mobility[slot]));
@@ -196,6 +200,8 @@ template <int D, class Real> class Substep {
         }
         tether_in_turn(tile);
         if (!next) return advance(tile);
+        roll(tile);
+        next->predictor_.slow_turns(tile);
         kernels_.go_on(next->motion_, tile.first, tile.last);
         next->predictor_.weigh(tile);
         next->pins().move(tile);
@@ -217,6 +223,10 @@ template <int D, class Real> class Substep {
     Motion<D, Real> motion_{};
     std::array<Anchor<D, Real>, max_tethers> anchors_;
 
+    void roll(const Tile& tile) {
+        if (swept_.rollers.empty()) return;
+        for (Row slot = tile.first; slot < tile.last; ++slot) swept_.rollers[slot].rolled += swept_.rollers[slot].rim;
+    }
     void part_heaps(std::uint32_t first, std::uint32_t last) {
         auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
         for (auto run = first; run < last; ++run)
