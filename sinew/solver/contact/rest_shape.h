@@ -39,7 +39,7 @@ template <int D> class RestShape {
 
   private:
     static constexpr int rounds = 30;         ///< lengths in floats contradict each other by their rounding
-    static constexpr double tolerance = 1e-6; ///< share of a length
+    static constexpr double tolerance = 1e-4; ///< share of a length
     static constexpr double flattest = 1e-3;  ///< height of a simplex as a share of a length
 
     /// Other ends, with their links' lengths, of the links to particles before one.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/simd/lane_spin.h"
 #include "sinew/solver/simd/link_factor.h"
 
 #include <array>
@@ -14,19 +15,6 @@ namespace sinew {
 namespace {
 namespace lane {
 
-template <class V> [[gnu::always_inline]] inline Arrow<1, V> moment(const Arrow<2, V>& arm, const Arrow<2, V>& force) {
-    return {{arm.at[0] * force.at[1] - arm.at[1] * force.at[0]}};
-}
-template <class V> [[gnu::always_inline]] inline Arrow<3, V> moment(const Arrow<3, V>& arm, const Arrow<3, V>& force) {
-    return cross(arm, force);
-}
-/// turn x arm
-template <class V> [[gnu::always_inline]] inline Arrow<2, V> turning(const Arrow<1, V>& turn, const Arrow<2, V>& arm) {
-    return {{-turn.at[0] * arm.at[1], turn.at[0] * arm.at[0]}};
-}
-template <class V> [[gnu::always_inline]] inline Arrow<3, V> turning(const Arrow<3, V>& turn, const Arrow<3, V>& arm) {
-    return cross(turn, arm);
-}
 /// The arm turned by an angle, about the turn: Rodrigues' formula with half = tan(angle / 2) turn / |turn|, as a series
 /// of the angle (off by angle^7 / 17000).
 template <int D, int S, class V>
