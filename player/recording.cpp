@@ -194,7 +194,7 @@ class RecordingReader {
 
     std::string from_;
     std::size_t dimension_ = 0;
-    /// Of the points of actions, needed before the scene is opened.
+    /// Number of coordinates of actions, needed before the scene is opened.
     std::size_t dimension_of_scene() {
         if (dimension_ != 0) return dimension_;
         dimension_ = 2;

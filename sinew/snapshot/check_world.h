@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// Whether a world that came with a file could have been built here: sizes, indices and ranges, before anything reads
+/// Check that a world of a file could have been built here: sizes, indices and ranges, before anything reads
 /// them. Numbers that a step itself holds in its limits (positions, velocities, forces, walls) may be anything.
 namespace sinew::snapshot {
 

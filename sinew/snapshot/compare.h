@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-/// Where two worlds differ.
+/// First difference of two worlds.
 namespace sinew {
 
 /// The first field, in the order of the list of a world's fields, of which the two have other numbers.
