@@ -2,6 +2,7 @@
 
 #include "sinew/scene/check.h"
 #include "sinew/scene/text.h"
+#include "sinew/scene/types.h"
 
 #include <algorithm>
 
@@ -13,9 +14,13 @@ constexpr std::string_view source = "the scene";
 /// Opens a changed document, with the models already loaded for the scene.
 Edited read_again(Document document, const Scene& scene) {
     const auto model = [&](const std::string& name, const Limits&) -> ReadModel {
+        std::shared_ptr<const MeshModel> known;
         for (const auto& figure : scene.figures)
-            if (const auto* mesh = std::get_if<Mesh>(&figure.made); mesh && mesh->model && mesh->file == name)
-                return {mesh->model, "", ""};
+            detail::visit_held(figure.made, [&](const auto& made) {
+                if constexpr (requires { made.model; })
+                    if (made.file == name) known = made.model;
+            });
+        if (known) return {known, "", ""};
         return {nullptr, "no mesh of the scene is of " + in_quotes(name), "open the scene again to read another file"};
     };
     if (auto opened = open_scene(document, {}, model)) return {std::move(opened->scene), "", {}};
@@ -39,7 +44,7 @@ RemoveEvent removed_constraints(const AnyWorld& world) {
                 for (std::size_t i = 0; i < figure.constraints.size(); ++i)
                     if (!constraint_state(any, figure.constraints[i]))
                         if (auto name = constraint_name(figure, i); !name.empty())
-                            removal.constraints.push_back(std::move(name));
+                            removal.names.push_back(std::move(name));
         },
         world);
     return removal;
@@ -49,7 +54,7 @@ RemoveEvent removed_constraints(const AnyWorld& world) {
 
 std::string text_of(const Session& session) {
     auto scene = session.scene();
-    if (auto removal = removed_constraints(session.world()); !removal.constraints.empty())
+    if (auto removal = removed_constraints(session.world()); !removal.names.empty())
         scene.events.insert(scene.events.begin(), EventSection{.at = 0.0, .on = {}, .event = std::move(removal)});
     return json::to_text(to_json(scene)) + "\n";
 }

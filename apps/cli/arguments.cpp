@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fmt/format.h>
 #include <functional>
@@ -22,11 +23,19 @@ std::vector<std::string> option_names(const CLI::App& parser) {
     return names;
 }
 
+/// Options of other programs, and ours.
+constexpr std::array<std::array<std::string_view, 2>, 4> foreign_options = {
+    {{"--format", "--json"}, {"--output-format", "--json"}, {"--duration", "--seconds"}, {"--time", "--seconds"}}};
+
 /// "did you mean --seconds?", or a pointer to the manual.
 std::string option_help(const CLI::App& parser, std::string_view word) {
     const auto names = option_names(parser);
     const std::vector<std::string_view> views(names.begin(), names.end());
-    const auto meant = nearest(word.substr(0, word.find('=')), views);
+    const auto option = word.substr(0, word.find('='));
+    for (const auto& [theirs, ours] : foreign_options)
+        if (option == theirs && std::ranges::find(views, ours) != views.end())
+            return fmt::format("did you mean {}?", ours);
+    const auto meant = nearest(option, views);
     return meant.empty() ? fmt::format("see `sinew help {}`", parser.get_name())
                          : fmt::format("did you mean {}?", meant);
 }

@@ -6,6 +6,7 @@
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/kind_text.h"
 #include "apps/cli/prefab_names.h"
 
 #include <algorithm>
@@ -72,27 +73,31 @@ const Topic& topic_called(const std::vector<Topic>& topics, const std::string& w
         if (word == topic.path || word == topic.name()) return topic;
         names.push_back(topic.name());
     }
+    names.insert(names.end(), kind_names.begin(), kind_names.end());
     usage_error(fmt::format("no topic is called {}", in_quotes(word)), suggest(word, std::move(names)));
 }
 
 std::string overview(const std::vector<Topic>& topics) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& topic : topics) rows.push_back({std::string(topic.name()), std::string(topic.about)});
-    return fmt::format("{}\n{}", bold("topics"), table(rows));
+    std::vector<std::vector<std::string>> kinds;
+    for (const auto& kind : every_kind) kinds.push_back({std::string(kind.name), std::string(kind.manual.about)});
+    return fmt::format("{}\n{}\n{}\n{}", bold("topics"), table(rows), bold("kinds of constraints"), table(kinds));
 }
 
 class DescribeCommand final : public Command {
     Manual manual() const override {
         return {
             .name = "describe",
-            .usage = "PREFAB | scene | SECTION [--schema] [--markdown]",
-            .about = "describes scene files: parameters, units, defaults, ranges, names",
+            .usage = "PREFAB | KIND | kinds | scene | SECTION [--schema] [--markdown]",
+            .about = "describes scene files: parameters, units, defaults, ranges, names, kinds of constraints",
             .details = "Without a name, lists all topics. Defaults and ranges are in metres, kilograms and seconds;\n"
                        "in a scene in px a metre counts as 100, in a scene in frames a second counts as 60.\n"
                        "For a prefab, also describes the position \"at\" and the names of particles, constraints\n"
                        "and drawn parts.\n",
             .examples = "sinew describe\n"
                         "sinew describe rope\n"
+                        "sinew describe pulley                               a kind of constraint\n"
                         "sinew describe solver.rules\n"
                         "sinew describe scene --schema > scene.schema.json    for editors\n",
         };
@@ -110,8 +115,21 @@ class DescribeCommand final : public Command {
         if (schema && markdown) usage_error("describe: --schema or --markdown, not both");
         if (!words.overrides.empty()) usage_error("describe changes no values");
         if (words.plain.empty()) print(overview(topics));
-        for (const auto& word : words.plain) print(text_of(topic_called(topics, word), &shapes.scene));
+        for (const auto& word : words.plain)
+            if (!print_kinds(word)) print(text_of(topic_called(topics, word), &shapes.scene));
         return done;
+    }
+
+    /// Prints a kind of constraint, or all `kinds`; false for any other word.
+    bool print_kinds(std::string_view word) const {
+        bool found = false;
+        for (const auto& kind : every_kind) {
+            if (word != kind.name && word != "kinds") continue;
+            if (schema) usage_error(fmt::format("describe: a kind such as {} has no schema", kind.name));
+            print((found ? "\n" : "") + (markdown ? kind_markdown(kind) : kind_text(kind)));
+            found = true;
+        }
+        return found;
     }
 
     std::string text_of(const Topic& topic, const Layout* scene) const {

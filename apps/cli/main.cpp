@@ -10,6 +10,7 @@
 #include "apps/cli/help.h"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <exception>
 #include <fmt/format.h>
@@ -47,9 +48,13 @@ std::string command_help(const std::string& word) {
 std::unique_ptr<Command> command_of(const std::string& word) {
     for (auto& command : all_commands())
         if (command->manual().name == word) return std::move(command);
-    if (word.starts_with("-"))
+    if (word.starts_with("-")) {
+        constexpr std::array<std::string_view, 2> options{"--help", "--version"};
+        const auto meant = nearest(word, options);
         usage_error(fmt::format("no option {} here", printable(word)),
-                    "options follow the command: sinew COMMAND OPTIONS");
+                    meant.empty() ? "options follow the command: sinew COMMAND OPTIONS"
+                                  : fmt::format("did you mean {}?", meant));
+    }
     usage_error(fmt::format("there is no command {}", in_quotes(word)), command_help(word));
 }
 

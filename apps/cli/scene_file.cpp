@@ -135,8 +135,10 @@ Opened open_in(const fs::path& folder, Document document, WatchedFiles* read = n
         note(folder / name);
         return read_model_at(folder / name, name, limits);
     };
-    if (auto opened = open_scene(document, read_image, read_obj_file)) return std::move(*opened);
+    auto opened = open_scene(document, read_image, read_obj_file);
     const PrintStyle style{.color = has_color(stderr), .max = std::size_t(document.limits.errors)};
+    print_error(warnings_text(document.diagnostics, style));
+    if (opened) return std::move(*opened);
     throw CommandError{bad_input, to_text(document.diagnostics, style)};
 }
 

@@ -3,6 +3,7 @@
 
 #include "bindings/c/simulation.h"
 
+#include <array>
 #include <cmath>
 
 /// Contacts of the last step, and colliders that code moves.
@@ -37,7 +38,10 @@ template <class WorldT> bool set_sides(const WorldT& world, const FigureTouch& t
 }
 
 sinew_contact no_contact() {
-    return {0, 0, 0, SINEW_NO_ID, SINEW_NO_ID, SINEW_NO_ID, no_figure, no_figure, SINEW_BEGIN, ""};
+    return {0, 0, 0, SINEW_NO_ID, SINEW_NO_ID, SINEW_NO_ID, no_figure, no_figure, SINEW_BEGIN, "", {}, {}, 0};
+}
+sinew_point as_point(const std::array<double, 3>& numbers) {
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 /// Calls visit(contact) for the touches of the last step, then for those that ended in it.
@@ -50,6 +54,9 @@ template <class WorldT, class Visit> void each_contact(const WorldT& world, Visi
             contact.blow = touch.strength.blow;
             contact.blow_before = touch.strength.blow_before;
             contact.phase = touch.strength.is_new ? SINEW_BEGIN : SINEW_PERSIST;
+            contact.point = as_point(touch.place.point);
+            contact.normal = as_point(touch.place.normal);
+            contact.speed = touch.place.speed;
             visit(contact);
         }
     };

@@ -27,6 +27,29 @@ sinew_status not_finite() {
     return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
 }
 
+/// Calls work(world, id) for a constraint that exists.
+template <class Work>
+sinew_status in_constraint(sinew_simulation simulation, sinew_constraint constraint, const Work& work) {
+    return in_world(simulation, [&](auto& world) {
+        const auto id = constraint_of(constraint);
+        return constraint_state(world, id) ? work(world, id) : bad_id("constraint");
+    });
+}
+
+/// Calls set(world, id, value) for a number of a constraint that is not negative.
+template <class Set>
+sinew_status set_number(sinew_simulation simulation, sinew_constraint constraint, double value, const Set& set) {
+    if (!(value >= 0)) return fail(SINEW_BAD_ARGUMENT, "the number is negative, or no number");
+    return in_constraint(simulation, constraint, [&]<int D, class Real>(World<D, Real>& world, const ConstraintId& id) {
+        return found(set(world, id, Real(value)), "constraint");
+    });
+}
+
+/// Bound of a strength in a world; 0 stands for none.
+template <class Real> Real or_never(Real bound) {
+    return bound > Real(0) ? bound : std::numeric_limits<Real>::infinity();
+}
+
 template <class Real> ConstraintSpec<Real> spec_of(const sinew_constraint_spec* given) {
     ConstraintSpec<Real> spec;
     if (!given) return spec;
@@ -97,7 +120,9 @@ sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_t kind, co
         std::vector<ParticleId> members;
         for (std::size_t i = 0; i < count; ++i) members.push_back(id_of<ParticleTag>(particles[i]));
         const auto added = add_constraint(world, int(kind), members, spec_of<Real>(spec));
-        if (!added) return fail(SINEW_BAD_ID, "a particle is gone or named twice");
+        if (!added)
+            return fail(SINEW_BAD_ID,
+                        "a particle is gone or named twice, or a limit of an angle in 3 dimensions is negative");
         *constraint = number_of(*added);
         return SINEW_OK;
     });
@@ -107,6 +132,49 @@ sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constrai
     return in_world(simulation, [&](auto& world) {
         const auto id = constraint_of(constraint);
         return found(remove_constraints(world, std::span(&id, 1)) > 0, "constraint");
+    });
+}
+
+// --- values of a constraint
+// --------------------------------------------------------------------------------------------
+
+sinew_status sinew_set_limits(sinew_simulation simulation, sinew_constraint constraint, double low, double high) {
+    if (!(low <= high)) return fail(SINEW_BAD_ARGUMENT, "low is above high, or not a number");
+    return in_constraint(simulation, constraint, [&]<int D, class Real>(World<D, Real>& world, const ConstraintId& id) {
+        if (set_limits(world, id, between(Real(low), Real(high)))) return SINEW_OK;
+        return fail(SINEW_BAD_ARGUMENT, "an angle in 3 dimensions has no sign: limits from 0 to pi");
+    });
+}
+
+sinew_status sinew_set_compliance(sinew_simulation simulation, sinew_constraint constraint, double compliance) {
+    return set_number(simulation, constraint, compliance,
+                      [](auto& world, const ConstraintId& id, auto value) { return set_compliance(world, id, value); });
+}
+
+sinew_status sinew_set_max_force(sinew_simulation simulation, sinew_constraint constraint, double max_force) {
+    return set_number(simulation, constraint, max_force, [](auto& world, const ConstraintId& id, auto value) {
+        return set_max_force(world, id, or_never(value));
+    });
+}
+
+sinew_status sinew_set_breaking_strain(sinew_simulation simulation, sinew_constraint constraint, double strain) {
+    return set_number(simulation, constraint, strain, [](auto& world, const ConstraintId& id, auto value) {
+        return set_breaking_strain(world, id, or_never(value));
+    });
+}
+
+sinew_status sinew_set_break_force(sinew_simulation simulation, sinew_constraint constraint, double force) {
+    return set_number(simulation, constraint, force, [](auto& world, const ConstraintId& id, auto value) {
+        return set_break_force(world, id, or_never(value));
+    });
+}
+
+sinew_status sinew_drive(sinew_simulation simulation, sinew_constraint constraint, double rate) {
+    if (!std::isfinite(rate)) return not_finite();
+    return in_constraint(simulation, constraint, [&]<int D, class Real>(World<D, Real>& world, const ConstraintId& id) {
+        if (drive(world, id, Real(rate))) return SINEW_OK;
+        return fail(SINEW_BAD_ARGUMENT,
+                    "a motor of unlimited force beside a rigid constraint of the same particles: set its max_force");
     });
 }
 
@@ -131,6 +199,13 @@ sinew_status sinew_set_mass(sinew_simulation simulation, sinew_particle particle
     if (!(mass > 0)) return fail(SINEW_BAD_ARGUMENT, "a mass is above 0");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(set_mass(world, id_of<ParticleTag>(particle), Real(mass)), "particle");
+    });
+}
+
+sinew_status sinew_set_radius(sinew_simulation simulation, sinew_particle particle, double radius) {
+    if (!(radius >= 0)) return fail(SINEW_BAD_ARGUMENT, "a radius is at least 0");
+    return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
+        return found(set_radius(world, id_of<ParticleTag>(particle), Real(radius)), "particle");
     });
 }
 

@@ -43,7 +43,7 @@ bool is_region(const sinew_region& region) {
 template <int D, class Real> collide::Shape<D, Real> shape_of(const sinew_region& region) {
     const auto half = vector_of<D, Real>(region.half);
     if (half == Vec<D, Real>{}) return collide::Sphere<D, Real>{Real(region.radius)};
-    return collide::Box<D, Real>{half};
+    return collide::Box<D, Real>{half * Real(2)};
 }
 template <int D, class Real> collide::Pose<D, Real> pose_of(const sinew_region& region) {
     return {vector_of<D, Real>(region.center), rotation_of<D, Real>(region.turn, &region.axis)};
@@ -107,9 +107,12 @@ sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew
         const collide::Filter filter{.layers = ~std::uint32_t(0), .mask = mask};
         const auto met = cast_ray(world, start, vector_of<D, Real>(to) - start, Real(radius), filter);
         if (!met) return fail(SINEW_NOT_FOUND, "nothing is on the way");
-        *hit = {double(met->time), point_in_c(met->point), point_in_c(met->normal),
+        *hit = {double(met->time),
+                point_in_c(met->point),
+                point_in_c(met->normal),
                 met->is_collider || met->is_plane ? SINEW_NO_ID : number_of(met->particle),
-                met->is_collider ? number_of(met->collider) : SINEW_NO_ID};
+                met->is_collider ? number_of(met->collider) : SINEW_NO_ID,
+                met->line_end ? number_of(*met->line_end) : SINEW_NO_ID};
         return SINEW_OK;
     });
 }

@@ -280,6 +280,10 @@ typedef enum sinew_phase SINEW_INT {
     SINEW_END = 2      /* it ended */
 } sinew_phase;
 
+typedef struct sinew_point {
+    double x, y, z;
+} sinew_point;
+
 /* A contact in the last step. A hit is one whose `blow` is above a number of the caller's, and `blow_before` was not.
  */
 typedef struct sinew_contact {
@@ -293,6 +297,10 @@ typedef struct sinew_contact {
     uint32_t other_figure;     /* ~0: a collider or a plane is touched */
     uint32_t phase;            /* a sinew_phase */
     const char* collider_name; /* as in the scene; may be empty; "bounds" for a plane of world.bounds */
+    sinew_point point;         /* where it pressed hardest; on the surface of a collider, between two figures */
+    sinew_point
+        normal;   /* unit length, towards `particle`; zero for a body that is near and does not press, and at an end */
+    double speed; /* of approach along the normal there, before the contact acted */
 } sinew_contact;
 /* Whether touches of figures with figures and with planes of world.bounds are listed too, from the next step on (`on` 0
  * or 1; contacts of figures must be switched on in the scene: "contact": {"figures": true}). Those with colliders
@@ -303,10 +311,6 @@ SINEW_API sinew_status sinew_contact_count(sinew_simulation simulation, uint32_t
 SINEW_API sinew_status sinew_contact_at(sinew_simulation simulation, uint32_t index, sinew_contact* contact);
 
 /* --- queries ----------------------------------------------------------------------------------------------------- */
-
-typedef struct sinew_point {
-    double x, y, z;
-} sinew_point;
 
 /* Nearest particle whose surface is within `reach` of a point; `distance` (may be null) is from the surface, negative
  * inside. SINEW_NOT_FOUND if there is none. */
@@ -322,10 +326,12 @@ typedef struct sinew_ray_hit {
     sinew_point point, normal;
     sinew_particle particle; /* SINEW_NO_ID: a collider was met; or a plane of world.bounds, if both are */
     sinew_collider collider; /* SINEW_NO_ID: a particle or a plane was met */
+    sinew_particle line_end; /* of a line of a figure, which begins at `particle`; else SINEW_NO_ID */
 } sinew_ray_hit;
-/* First particle with a radius, collider other than a sensor, or plane of world.bounds that a sphere meets on its
- * straight way; radius 0 is a ray. Only layers of `mask` count (~0: all); planes always do. A thing that holds the
- * start is met at once if the way leads further into it, and not if it leads out. SINEW_NOT_FOUND if nothing is met. */
+/* First particle with a radius, line of a figure as it is drawn (the side of a crate, a limb), collider other than a
+ * sensor, or plane of world.bounds that a sphere meets on its straight way; radius 0 is a ray. Only layers of `mask`
+ * count (~0: all); planes always do. A thing that holds the start is met at once if the way leads further into it, and
+ * not if it leads out. SINEW_NOT_FOUND if nothing is met. */
 SINEW_API sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew_point to, double radius,
                                       uint32_t mask, sinew_ray_hit* hit);
 
@@ -377,14 +383,33 @@ SINEW_API sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_
                                             sinew_constraint* constraint);
 SINEW_API sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constraint constraint);
 
+/* New values for a constraint while it runs. Limits as in sinew_constraint_spec, but low <= high; those of an angle in
+ * 3D are not negative. Zero: `compliance` rigid, `max_force` without limit, `strain` and `force` never breaks. */
+SINEW_API sinew_status sinew_set_limits(sinew_simulation simulation, sinew_constraint constraint, double low,
+                                        double high);
+SINEW_API sinew_status sinew_set_compliance(sinew_simulation simulation, sinew_constraint constraint,
+                                            double compliance);
+SINEW_API sinew_status sinew_set_max_force(sinew_simulation simulation, sinew_constraint constraint, double max_force);
+SINEW_API sinew_status sinew_set_breaking_strain(sinew_simulation simulation, sinew_constraint constraint,
+                                                 double strain);
+/* Force, in newtons (N m for an angle), above which a constraint breaks, rigid or not. */
+SINEW_API sinew_status sinew_set_break_force(sinew_simulation simulation, sinew_constraint constraint, double force);
+/* Moves the limits at a rate, per second: a winch, a motor; 0 stops it. SINEW_BAD_ARGUMENT for a motor of unlimited
+ * force beside a rigid constraint of the same particles: give it a max_force first. */
+SINEW_API sinew_status sinew_drive(sinew_simulation simulation, sinew_constraint constraint, double rate);
+
 SINEW_API sinew_status sinew_set_position(sinew_simulation simulation, sinew_particle particle, sinew_point position);
 SINEW_API sinew_status sinew_set_velocity(sinew_simulation simulation, sinew_particle particle, sinew_point velocity);
 SINEW_API sinew_status sinew_set_mass(sinew_simulation simulation, sinew_particle particle, double mass);
+/* Collision radius. */
+SINEW_API sinew_status sinew_set_radius(sinew_simulation simulation, sinew_particle particle, double radius);
 /* A force for the next step; calls add up. */
 SINEW_API sinew_status sinew_apply_force(sinew_simulation simulation, sinew_particle particle, sinew_point force);
 SINEW_API sinew_status sinew_apply_impulse(sinew_simulation simulation, sinew_particle particle, sinew_point impulse);
 
-/* Holds a particle where it is. */
+/* Holds a particle where it is. A pin that holds it already, such as that of a rope's start, is replaced: its id is
+ * gone.
+ */
 SINEW_API sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_particle particle, sinew_pin* pin);
 /* Target at the end of the next step, approached in a straight line. */
 SINEW_API sinew_status sinew_move_pin(sinew_simulation simulation, sinew_pin pin, sinew_point target);

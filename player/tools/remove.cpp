@@ -26,7 +26,7 @@ Scene without(Scene scene, const std::string& figure) {
         if (const auto* release = std::get_if<ReleaseEvent>(&event.event)) return belongs(release->particle, figure);
         if (const auto* impulse = std::get_if<ImpulseEvent>(&event.event)) return belongs(impulse->target, figure);
         if (const auto* removal = std::get_if<RemoveEvent>(&event.event))
-            return std::ranges::any_of(removal->constraints, [&](const auto& name) { return belongs(name, figure); });
+            return std::ranges::any_of(removal->names, [&](const auto& name) { return belongs(name, figure); });
         return false;
     });
     return scene;

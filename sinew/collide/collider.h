@@ -20,10 +20,22 @@ template <int D, class Real> struct Collider {
     Vec<D, Real>
         one_way{}; ///< solid only for contacts with a normal along this direction, in the shape's frame; or zero
     bool is_sensor = false; ///< touched without a push
+    Vec<D, Real>
+        surface_velocity{}; ///< of a belt: the surface runs along itself, in the shape's frame, length per time
     std::string name{};
     std::uint32_t tag = ~std::uint32_t(0); ///< chosen by the owner; in a scene: index of its section
 
+    /// False for one that touches nothing, and is not drawn.
+    bool is_enabled() const { return filter != Filter{0, 0}; }
     bool is_at_rest() const { return from == target; }
+    /// True if the surface may do work on a body that touches it.
+    bool is_driven() const { return !is_at_rest() || surface_velocity != Vec<D, Real>{}; }
+    /// Velocity of the surface along itself where it has a normal, both in the world.
+    template <class T> Vec<D, T> belt_velocity(const Pose<D, T>& pose, const Vec<D, T>& normal) const {
+        if (surface_velocity == Vec<D, Real>{}) return {};
+        const auto velocity = pose.turn(cast<T>(surface_velocity));
+        return velocity - normal * dot(normal, velocity);
+    }
     /// Pose after a fraction of the step.
     template <class T = Real> Pose<D, T> pose_at(std::type_identity_t<T> share) const {
         const auto end = target.template as<T>();
@@ -70,105 +82,5 @@ template <int D, class Real> BoundingBox<D, Real> bounds_in_step(const Collider<
     turned.include(box.high);
     return turned;
 }
-
-/// A contact of a sphere with a collider, during part of a step.
-template <int D, class Real> struct ColliderContact {
-    SurfacePoint<D, Real> surface{};     ///< at the end
-    Vec<D, Real> surface_displacement{}; ///< displacement of the surface
-    Real begun_depth = 0;                ///< depth of the sphere at the start, negative in front
-    bool begins_in_front = true;         ///< of a one-way collider: the sphere approaches, and began in front
-};
-
-/// True for a sphere that approaches, and began in front of a surface at a distance. `moved`, `far`: lengths of its
-/// displacement and of its place, for the slop.
-template <class Real> bool comes_from_outside(Real distance, Real displacement, Real radius, Real moved, Real far) {
-    constexpr Real little = Real(64) * std::numeric_limits<Real>::epsilon(), some = Real(0.02);
-    return displacement < Real(0) && distance >= radius - some * (radius + moved) - little * far;
-}
-
-/// Contacts of spheres with one collider that moves between two poses, computed in the precision T.
-template <int D, class Real, class T = Real> class MovingCollider {
-  public:
-    using Vector = Vec<D, T>;
-
-    MovingCollider(const Collider<D, Real>& collider, T from_share, T to_share)
-        : collider_(collider), one_way_(cast<T>(collider.one_way)), before_(collider.template pose_at<T>(from_share)),
-          after_(collider.template pose_at<T>(to_share)) {}
-
-    /// Calls visit(contact) with the contacts of a sphere that moves from one place to another, and with surfaces
-    /// within a margin of it. A motion long against the radius is swept: the contact is the first one on the way, and
-    /// no wall is too thin. Seen from the collider.
-    template <class Visit>
-    void contacts(const Vector& from, const Vector& to, T radius, T margin, Visit&& visit) const {
-        const auto begun = before_.to_local(from), ended = after_.to_local(to);
-        BoundingBox<D, Real> near;
-        near.include(cast<Real>(begun));
-        near.include(cast<Real>(ended));
-        std::visit(
-            [&](const auto& shape) {
-                visit_parts(shape, near.grown(Real(radius + margin)), [&](const auto& part) {
-                    const auto& exact = part.template as<T>();
-                    const auto surface = contact_of(exact, begun, ended, radius + margin);
-                    if (!surface) return;
-                    const T distance = exact.nearest(begun).distance;
-                    visit(ColliderContact<D, T>{to_world(after_, *surface), displacement_of(surface->point),
-                                                radius - distance,
-                                                begins_in_front(*surface, distance, begun, ended - begun, radius)});
-                });
-            },
-            collider_.shape);
-    }
-    /// Same for what a one-way collider holds only if it comes from the front.
-    template <class Visit> void contacts(const Vector& from, const Vector& to, T radius, Visit&& visit) const {
-        contacts(from, to, radius, T(0), [&](const auto& contact) {
-            if (contact.begins_in_front) visit(contact);
-        });
-    }
-
-  private:
-    const Collider<D, Real>& collider_;
-    Vector one_way_;
-    Pose<D, T> before_, after_;
-
-    Vector displacement_of(const Vector& local) const {
-        return collider_.is_at_rest() ? Vector{} : after_.to_world(local) - before_.to_world(local);
-    }
-
-    template <class Part>
-    std::optional<SurfacePoint<D, T>> contact_of(const Part& part, const Vector& begun, const Vector& ended,
-                                                 T radius) const {
-        constexpr T half = T(0.5);
-        const auto displacement = ended - begun;
-        if (one_sided<Part>() && part.nearest(begun).distance < -depth_of(part, begun, displacement, radius))
-            return std::nullopt;
-        std::optional<SurfacePoint<D, T>> surface;
-        if (dot(displacement, displacement) > square(half * radius))
-            if (const auto impact = sweep(part, begun, displacement, radius)) surface = impact->surface;
-        if (!surface) surface = part.nearest(ended);
-        const bool touches = dot(surface->normal, ended - surface->point) < radius;
-        if (!touches || !owns(part, *surface) || !collider_.is_solid_along(cast<Real>(surface->normal)))
-            return std::nullopt;
-        return surface;
-    }
-
-    /// Depth behind a one-sided part from which a sphere is still pushed out: contacts give a little.
-    template <class Part>
-    static T depth_of(const Part& part, const Vector& begun, const Vector& displacement, T radius) {
-        constexpr T half = T(0.5), little = T(64) * std::numeric_limits<T>::epsilon(), some = share_behind<T>;
-        T size = 0;
-        if constexpr (one_sided<Part>()) size = norm(part.b - part.a);
-        return half * radius + little * norm(begun) + some * (norm(displacement) + size);
-    }
-    bool begins_in_front(const SurfacePoint<D, T>& surface, T distance, const Vector& begun, const Vector& displacement,
-                         T radius) const {
-        return one_way_ == Vector{} ||
-               comes_from_outside(distance, dot(surface.normal, displacement), radius, norm(displacement), norm(begun));
-    }
-    template <class Part> static constexpr bool one_sided() {
-        return requires(const Part& part, SurfacePoint<D, T> surface) {
-            part.owns(surface);
-        };
-    }
-};
 
 } // namespace sinew::collide

@@ -18,6 +18,7 @@ template <int D, class Real> struct HalfSpace {
         const Real distance = dot(normal, point) - offset;
         return {point - normal * distance, normal, distance, 0};
     }
+    static constexpr bool is_face(std::uint32_t) { return true; }
     template <class T> HalfSpace<D, T> as() const { return {cast<T>(normal), T(offset)}; }
     BoundingBox<D, Real> bounds(const Pose<D, Real>&) const { return BoundingBox<D, Real>::everything(); }
 };

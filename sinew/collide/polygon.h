@@ -3,8 +3,10 @@
 #include "sinew/collide/bounding_box.h"
 #include "sinew/collide/pose.h"
 #include "sinew/collide/segment.h"
+#include "sinew/collide/segment_over_face.h"
 #include "sinew/collide/surface_point.h"
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -32,6 +34,23 @@ template <int D, class Real> struct Polygon {
             if (edge.distance < outside.distance) outside = edge;
         }
         return inside.distance <= T(0) ? inside : outside;
+    }
+    static constexpr bool is_face(std::uint32_t feature) { return feature % 2 == 0; }
+    /// Calls visit(surface) with the points nearest to a point inside on the line of each edge.
+    template <class T, class Visit> void each_face(const Vec<2, T>& inside, Visit&& visit) const {
+        for (std::uint32_t i = 0; i < corners.size(); ++i) visit(nearest_line(inside, i));
+    }
+    /// Part of a segment above the edge that looks most along a direction; nothing above a corner.
+    std::optional<SegmentOverFace<2, Real>> over_face(const Vector& a, const Vector& b, const Vector& along) const {
+        std::uint32_t face = 0;
+        for (std::uint32_t i = 1; i < corners.size(); ++i)
+            if (dot(normal<Real>(i), along) > dot(normal<Real>(face), along)) face = i;
+        const auto n = normal<Real>(face), from = corner<Real>(face), to = corner<Real>(face + 1);
+        if (dot(n, along) < SegmentOverFace<2, Real>::least_slope) return std::nullopt;
+        SegmentOverFace<2, Real> over{n, dot(n, from)};
+        over.clip(dot(a - from, to - from), dot(b - from, to - from));
+        over.clip(dot(to - a, to - from), dot(to - b, to - from));
+        return over;
     }
     BoundingBox<2, Real> bounds(const Pose<2, Real>& pose) const {
         BoundingBox<2, Real> box;

@@ -41,8 +41,8 @@ template <int D, class Real> BoundingBox<D, Real> bounds(const Shape<D, Real>& s
 
 /// Box in a shape's frame around a box in the world.
 template <int D, class Real> BoundingBox<D, Real> to_local(const Pose<D, Real>& pose, const BoundingBox<D, Real>& box) {
-    const auto center = (box.low + box.high) * Real(0.5), half = (box.high - box.low) * Real(0.5);
-    return Box<D, Real>{half}.bounds({pose.to_local(center), pose.rotation.inverse()});
+    const auto center = (box.low + box.high) * Real(0.5);
+    return Box<D, Real>{box.high - box.low}.bounds({pose.to_local(center), pose.rotation.inverse()});
 }
 
 /// Calls visit(part) for the convex parts of a shape that touch a box, both in the shape's frame.
@@ -60,6 +60,18 @@ template <class Part, int D, class Real> bool owns(const Part& part, const Surfa
         return part.owns(surface);
     else
         return true;
+}
+
+/// True for a feature inside a flat face: not for corners, edges and round surfaces.
+template <int D, class Real> bool is_on_face(const Shape<D, Real>& shape, std::uint32_t feature) {
+    return std::visit(
+        [&](const auto& held) {
+            if constexpr (requires { held.is_face(feature); })
+                return held.is_face(feature);
+            else
+                return false;
+        },
+        shape);
 }
 
 template <int D, class Real>

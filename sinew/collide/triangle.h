@@ -26,6 +26,8 @@ template <class Real> struct Triangle {
         return best;
     }
 
+    /// True for contacts that are not on an edge.
+    bool is_inside(const SurfacePoint<3, Real>& surface) const { return surface.normal == normal(); }
     /// False for contacts from behind.
     bool owns(const SurfacePoint<3, Real>& surface) const { return dot(surface.normal, normal()) >= Real(0); }
 

@@ -19,6 +19,24 @@ template <int D> struct Angle {
     static constexpr Dimensions dimensions{2, 3};
     static constexpr int length_power = 0;
     static constexpr double period = D == 2 ? 2 * pi<double> : 0;
+    static constexpr KindManual manual{
+        .about = "Bend at the middle one of three particles: the turn from the direction a -> b to the "
+                 "direction b -> c.",
+        .drawing = "                  o c\n"
+                   "                 /\n"
+                   "                /  ) C\n"
+                   "    o----------o- - - - -\n"
+                   "    a          b\n",
+        .particles = "a, b, c: an end, the joint, the other end. In the opposite order the sign in 2D is the "
+                     "opposite",
+        .zero = "where the three are in line, c beyond b; half a turn where c is folded back onto a",
+        .sign = "2D: counter-clockwise positive on a screen with y up (clockwise with \"up\": \"-y\"), "
+                "from -180 to 180, and any number of turns for limits that move. 3D: no sign, from 0 to "
+                "180; limits are not negative",
+        .use = "rest: a rigid bend; low and high: the range of a joint; drive: a motor; compliance: a "
+               "bending spring",
+        .example = "{\"kind\": \"angle\", \"between\": [\"shoulder\", \"elbow\", \"hand\"], \"low\": 0, "
+                   "\"high\": 150}"};
 
     template <class T> static Evaluated<3, D, T> evaluate(const Points<3, D, T>& x) {
         const auto u = x[1] - x[0], v = x[2] - x[1];

@@ -19,6 +19,18 @@ template <int D> struct Area {
     static constexpr int length_power = 2;
     static constexpr double period = 0;
     static constexpr auto drawn_as = DrawnAs::fill;
+    static constexpr KindManual manual{
+        .about = "Area of a polygon through three particles or more.",
+        .drawing = "      d o----------o c\n"
+                   "       /            \\\n"
+                   "      /      C       \\\n"
+                   "   a o----------------o b\n",
+        .particles = "the corners in order, all round",
+        .zero = "where the corners are in line, or the parts of a figure of eight are equal",
+        .sign = "positive where the corners run counter-clockwise on a screen with y up (clockwise with "
+                "\"up\": \"-y\")",
+        .use = "rest: a body that keeps its area, such as jelly; low: one that cannot be crushed",
+        .example = "{\"kind\": \"area\", \"between\": [\"a\", \"b\", \"c\", \"d\"], \"compliance\": 1e-4}"};
 
     template <class T> static T evaluate(std::span<const Vec<2, T>> x, std::span<Vec<2, T>> gradient) {
         const auto n = x.size();

@@ -19,6 +19,24 @@ template <int D> struct Dihedral {
     static constexpr Dimensions dimensions{3, 3};
     static constexpr int length_power = 0;
     static constexpr double period = 2 * pi<double>;
+    static constexpr KindManual manual{
+        .about = "Fold between two triangles a b c and d c b across their common edge b c: stiffness of "
+                 "paper and cloth.",
+        .drawing = "            c o\n"
+                   "             /|\\\n"
+                   "            / | \\\n"
+                   "         a o  |  o d      seen along the edge:   a o--__C__--o d\n"
+                   "            \\ | /                                      b c\n"
+                   "             \\|/\n"
+                   "            b o\n",
+        .particles = "a, b, c, d: the tip of one triangle, both ends of the edge, the tip of the other "
+                     "triangle",
+        .zero = "where the triangles are in one plane",
+        .sign = "from -180 to 180; positive where a and d are folded to the side to which (b - a) x (c - "
+                "a) points",
+        .use = "rest: a fold; compliance: bending stiffness, 1 / (N m / rad)",
+        .example = "{\"kind\": \"dihedral\", \"between\": [\"a\", \"b\", \"c\", \"d\"], \"rest\": 0, "
+                   "\"compliance\": 0.01}"};
 
     template <class T> static Evaluated<4, 3, T> evaluate(const Points<4, 3, T>& x) {
         const auto &a = x[0], &b = x[1], &c = x[2], &d = x[3];

@@ -15,8 +15,10 @@ struct KindInfo {
     int min_arity = 0;      ///< least number of particles
     bool any_arity = false; ///< true if more than min_arity particles are allowed
     Dimensions dimensions;
-    bool angle = false; ///< true if the measure is an angle: radians in a world, degrees in a file
+    bool angle = false;   ///< true if the measure is an angle: radians in a world, degrees in a file
+    int length_power = 0; ///< of the measure: 1 a length, 2 an area, 3 a volume, 0 an angle
     DrawnAs drawn_as = DrawnAs::nothing;
+    KindManual manual{};
 };
 
 namespace detail {
@@ -34,7 +36,9 @@ template <class... Kind> constexpr std::array<KindInfo, sizeof...(Kind)> infos_o
                      .any_arity = Kind::arity == any_arity,
                      .dimensions = Kind::dimensions,
                      .angle = Kind::length_power == 0,
-                     .drawn_as = is_drawn_as<Kind>}...};
+                     .length_power = Kind::length_power,
+                     .drawn_as = is_drawn_as<Kind>,
+                     .manual = manual_of<Kind>}...};
 }
 
 template <class... Kind> constexpr std::array<std::string_view, sizeof...(Kind)> names_of_kinds(TypeList<Kind...>) {

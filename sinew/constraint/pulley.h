@@ -19,6 +19,20 @@ template <int D> struct Pulley {
     static constexpr int length_power = 1;
     static constexpr double period = 0;
     static constexpr auto drawn_as = DrawnAs::line;
+    static constexpr KindManual manual{
+        .about = "Length of the line through all particles in order: a rope that slides freely over all "
+                 "but the first and the last.",
+        .drawing = "         l o---------o r         C = |a l| + |l r| + |r b|\n"
+                   "           |         |\n"
+                   "           |         |\n"
+                   "         a o         |\n"
+                   "                   b o\n",
+        .particles = "an end, the wheels in order, the other end. A wheel is a particle: pinned, or with a "
+                     "load of its own (a block)",
+        .zero = "where all are at one place",
+        .sign = "never negative",
+        .use = "high: a rope; rest: one that pushes, too; drive: a winch",
+        .example = "{\"kind\": \"pulley\", \"between\": [\"a\", \"l\", \"r\", \"b\"], \"high\": 6}"};
 
     template <class T> static T evaluate(std::span<const Vec<D, T>> x, std::span<Vec<D, T>> gradient) {
         T length = T(0);

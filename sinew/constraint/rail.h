@@ -19,6 +19,17 @@ template <int D> struct Rail {
     static constexpr int length_power = 1;
     static constexpr double period = 0;
     static constexpr bool sided = true;
+    static constexpr KindManual manual{
+        .about = "Distance of a particle from the line through two others, with a sign: a slider.",
+        .drawing = "               p o\n"
+                   "                 |  C\n"
+                   "    a o----------+--------o b\n",
+        .particles = "a, b, p: two points of the rail, then the slider",
+        .zero = "where p is on the line, also beyond a or b",
+        .sign = "positive to the left of the direction a -> b on a screen with y up (to the right with "
+                "\"up\": \"-y\")",
+        .use = "rest 0: a slider on a rail; low and high: a slot",
+        .example = "{\"kind\": \"rail\", \"between\": [\"a\", \"b\", \"p\"], \"rest\": 0}"};
 
     template <class T> static Evaluated<3, 2, T> evaluate(const Points<3, 2, T>& x) {
         const auto ab = x[1] - x[0], ap = x[2] - x[0];

@@ -11,6 +11,19 @@ template <int D> struct Volume {
     static constexpr Dimensions dimensions{3, 3};
     static constexpr int length_power = 3;
     static constexpr double period = 0;
+    static constexpr KindManual manual{
+        .about = "Volume of a tetrahedron, (b - a) . ((c - a) x (d - a)) / 6.",
+        .drawing = "            d o\n"
+                   "             /|\\\n"
+                   "            / | \\\n"
+                   "           /  o c\\\n"
+                   "          / .   . \\\n"
+                   "       a o---------o b\n",
+        .particles = "a, b, c, d: the corners; two of them exchanged change the sign",
+        .zero = "where the four are in one plane",
+        .sign = "positive where d is on the side from which a, b, c run counter-clockwise",
+        .use = "rest: jelly; low: 0: a joint that bends to one side only",
+        .example = "{\"kind\": \"volume\", \"between\": [\"a\", \"b\", \"c\", \"d\"], \"compliance\": 1e-5}"};
 
     template <class T> static Evaluated<4, 3, T> evaluate(const Points<4, 3, T>& x) {
         constexpr auto sixth = T(1.0 / 6);

@@ -54,7 +54,7 @@ template <class Real> ShapeOutline outline_of(const collide::Capsule<2, Real>& c
     return outline;
 }
 template <class Real> ShapeOutline outline_of(const collide::Box<2, Real>& box) {
-    const double x = double(box.half[0]), y = double(box.half[1]);
+    const double x = double(box.half()[0]), y = double(box.half()[1]);
     return {{{{-x, -y, 0}}, {{x, -y, 0}}, {{x, y, 0}}, {{-x, y, 0}}}};
 }
 template <class Real> ShapeOutline outline_of(const collide::Polygon<2, Real>& polygon) {
@@ -120,7 +120,7 @@ template <class Real> void add_faces(Faces& faces, const collide::Capsule<3, Rea
     add_capsule(faces, placed_in_space(capsule.a), placed_in_space(capsule.b), double(capsule.radius));
 }
 template <class Real> void add_faces(Faces& faces, const collide::Box<3, Real>& box) {
-    const auto half = placed_in_space(box.half);
+    const auto half = placed_in_space(box.half());
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
             const auto u = Position::axis((axis + 1) % 3) * half[(axis + 1) % 3],
@@ -174,7 +174,7 @@ template <class WorldT> class ColliderPainter {
     template <class Colliders> void draw_solids(const Colliders& colliders) {
         Faces faces;
         for (const auto& collider : colliders)
-            if (!collider.is_sensor)
+            if (!collider.is_sensor && collider.is_enabled())
                 std::visit([&](const auto& shape) { collect(faces, shape, collider.target); }, collider.shape);
         draw_faces(faces);
     }
@@ -182,7 +182,8 @@ template <class WorldT> class ColliderPainter {
     template <class Colliders> void draw_outlines(const Colliders& colliders) {
         for (std::size_t begin = 0, end = 0; begin < colliders.size(); begin = end) {
             while (end < colliders.size() && (end == begin || are_parts(colliders[begin], colliders[end]))) ++end;
-            if (!colliders[begin].is_sensor) draw_section(std::span(colliders).subspan(begin, end - begin));
+            if (!colliders[begin].is_sensor && colliders[begin].is_enabled())
+                draw_section(std::span(colliders).subspan(begin, end - begin));
         }
     }
 

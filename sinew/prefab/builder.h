@@ -3,11 +3,13 @@
 #include "sinew/assert/assert.h"
 #include "sinew/math/record.h"
 #include "sinew/math/trig.h"
+#include "sinew/prefab/problem.h"
 #include "sinew/world/edit.h"
 
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// A figure under construction in a world. A prefab works in a frame of its own: x right, y up, lengths already in the
@@ -189,12 +191,20 @@ template <int D, class RealT> class Builder {
     std::vector<Local> locals_;
 };
 
-/// Adds a figure to a world: build(world, Rope{.length = 3}, "rope", {.at = {{1, 2}}}). Returns the index of the
-/// figure.
+/// A figure that build() has added, or the fault of the parameters; nothing is added then.
+struct Built {
+    FigureIndex figure = no_figure;
+    std::string problem{}; ///< empty if there is none
+
+    explicit operator bool() const { return figure != no_figure; }
+    operator FigureIndex() const { return figure; }
+};
+
+/// Adds a figure whose parameters are known to be right.
 template <class Prefab, int D, class Real>
 requires(Prefab::dimensions.include(D)) FigureIndex
-    build(World<D, Real>& world, const Prefab& prefab, std::string_view name,
-          const Placement<D, Real>& placement = {}) {
+    build_checked(World<D, Real>& world, const Prefab& prefab, std::string_view name,
+                  const Placement<D, Real>& placement = {}) {
     const auto figure = add_figure(world, name, Prefab::name);
     const auto sizes = prefab.sizes();
     if (sizes.particles > world.particles.size())
@@ -202,6 +212,16 @@ requires(Prefab::dimensions.include(D)) FigureIndex
     Builder<D, Real> builder(world, figure, placement, world.settings.mode);
     prefab.build(builder);
     return figure;
+}
+
+/// Adds a figure to a world: build(world, Rope{.length = 3}, "rope", {.at = {{1, 2}}}). Returns the index of the
+/// figure, or the fault: a number out of the range of its field, an unknown word, more particles than a world can
+/// have. Angles are in radians.
+template <class Prefab, int D, class Real>
+requires(Prefab::dimensions.include(D)) Built build(World<D, Real>& world, const Prefab& prefab, std::string_view name,
+                                                    const Placement<D, Real>& placement = {}) {
+    if (auto problem = problem_of_all(prefab, D)) return {no_figure, std::move(*problem)};
+    return {build_checked(world, prefab, name, placement)};
 }
 
 } // namespace sinew

@@ -60,7 +60,7 @@ template <int D, class Real> void Chain::build(Builder<D, Real>& figure) const {
     // The original corrects the lower of two loops only.
     link(figure, row, strength.applied_to({.limits = exactly(pitch), .split = classic ? 0 : 0.5}));
     if (!classic && bend_limit < pi<double> && links > 1)
-        stiffen(figure, row, {.limits = between(-bend_limit, bend_limit)});
+        stiffen(figure, row, {.limits = between(D == 2 ? -bend_limit : 0, bend_limit)}); // in 3D angles have no sign
     hold_ends(figure, row, pinned);
     classic ? draw_loops(figure, row, loop) : draw_links(figure, row, thickness);
 }

@@ -19,7 +19,7 @@ struct Chain {
     int links = 20;
     double loop = 0.24;
     double gap = 0.02;
-    double angle = 0;
+    double angle = 0; ///< radians
     double slack = 0;
     std::string pinned = "start";
     double mass = 3;
@@ -39,11 +39,12 @@ struct Chain {
                               .unit = unit::length,
                               .low = 0,
                               .high = max});
-        visit(self.angle, Field{.name = "angle",
-                                .help = "Initial direction: 0 hangs straight down, 90 is level to the right",
-                                .unit = unit::angle,
-                                .low = -4 * pi<double>,
-                                .high = 4 * pi<double>});
+        visit(self.angle,
+              Field{.name = "angle",
+                    .help = "Initial direction: 0 hangs straight down, a quarter turn is level to the right",
+                    .unit = unit::angle,
+                    .low = -4 * pi<double>,
+                    .high = 4 * pi<double>});
         visit(self.slack, Field{.name = "slack",
                                 .help = "Excess of the length over the distance between the ends: 0.1 is 10 %",
                                 .low = 0,

@@ -24,8 +24,9 @@ template <int D, class Real> void Limb::build(Builder<D, Real>& figure) const {
 
     figure.template constrain<Distance>("upper", {root, joint});
     figure.template constrain<Distance>("lower", {joint, end});
+    const auto range = D == 2 ? between(bend_min, bend_max) : between(0.0, max(-bend_min, bend_max));
     if (figure.mode() == Mode::physical)
-        figure.template constrain<Angle>("bend", {root, joint, end}, {.limits = between(bend_min, bend_max)});
+        figure.template constrain<Angle>("bend", {root, joint, end}, {.limits = range});
     if (pinned) figure.hold(root);
 
     if (tip > 0) figure.draw(Mark::tip, "tip", {root, joint, end}, tip);
@@ -33,6 +34,6 @@ template <int D, class Real> void Limb::build(Builder<D, Real>& figure) const {
 }
 
 #define SINEW_LIMB(D, Real) template void Limb::build(Builder<D, Real>&) const;
-SINEW_INSTANTIATE_2D(SINEW_LIMB)
+SINEW_INSTANTIATE(SINEW_LIMB)
 
 } // namespace sinew

@@ -8,16 +8,17 @@
 namespace sinew {
 
 /// Two bones with a joint between, starting at the figure's position: particles root, joint, end; constraints upper,
-/// lower, and in physical mode bend, a range for the angle at the joint. Drawn as one band along the quadratic
-/// Bezier curve of the three particles, with a tip along the end tangent of the curve.
+/// lower, and in physical mode bend, a range for the angle at the joint. In 3D an angle has no sign: the joint bends to
+/// every side, as far as the larger of the two limits allows. Drawn as one band along the quadratic Bezier curve of the
+/// three particles, with a tip along the end tangent of the curve.
 struct Limb {
     static constexpr std::string_view name = "limb";
     static constexpr std::string_view about = "An arm or a leg: two bones, drawn as one band along a curve.";
-    static constexpr Dimensions dimensions{2, 2};
+    static constexpr Dimensions dimensions{2, 3};
 
     double upper = 0.4;
     double lower = 0.4;
-    double angle = 0;
+    double angle = 0; ///< radians
     double bend = 0;
     double bend_min = -150 * pi<double> / 180;
     double bend_max = 150 * pi<double> / 180;
@@ -39,24 +40,28 @@ struct Limb {
                                 .unit = unit::length,
                                 .low = min,
                                 .high = max});
-        visit(self.angle,
-              Field{.name = "angle",
-                    .help = "Initial direction of the upper bone: 0 hangs straight down, 90 is level to the right",
-                    .unit = unit::angle,
-                    .low = -turn,
-                    .high = turn});
+        visit(
+            self.angle,
+            Field{
+                .name = "angle",
+                .help =
+                    "Initial direction of the upper bone: 0 hangs straight down, a quarter turn is level to the right",
+                .unit = unit::angle,
+                .low = -turn,
+                .high = turn});
         visit(self.bend, Field{.name = "bend",
                                .help = "Initial angle at the joint, counter-clockwise on screen",
                                .unit = unit::angle,
                                .low = -fold,
                                .high = fold});
         visit(self.bend_min, Field{.name = "bend_min",
-                                   .help = "Smallest angle at the joint. Physical mode only",
+                                   .help = "Smallest angle at the joint (2D). Physical mode only",
                                    .unit = unit::angle,
                                    .low = -fold,
                                    .high = 0});
         visit(self.bend_max, Field{.name = "bend_max",
-                                   .help = "Largest angle at the joint. Physical mode only",
+                                   .help = "Largest angle at the joint; in 3D to every side, or -bend_min if that is "
+                                           "more. Physical mode only",
                                    .unit = unit::angle,
                                    .low = 0,
                                    .high = fold});

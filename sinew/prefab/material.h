@@ -31,17 +31,25 @@ struct Elasticity {
 
 /// Strength of links: what they bear without tearing.
 struct Strength {
-    double breaking_strain = 0; ///< 0 for never
+    double breaking_strain = 0; ///< 0 for never; a rigid link has no strain
+    double break_force = 0;     ///< N (N m for angles); 0 for never
     double damage_limit = 0;    ///< s
 
     ConstraintSpec<double> applied_to(ConstraintSpec<double> spec) const {
         if (breaking_strain > 0) spec.breaking_strain = breaking_strain;
+        if (break_force > 0) spec.break_force = break_force;
         spec.damage_limit = damage_limit;
         return spec;
     }
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit, std::string_view help) {
         visit(self.breaking_strain, Field{.name = "breaking_strain", .help = help, .low = 0, .high = 1e6});
+        visit(self.break_force, Field{.name = "break_force",
+                                      .help = "Force (torque for an angle) above which it tears, rigid or not; 0 for "
+                                              "never. Physical mode only",
+                                      .unit = unit::force,
+                                      .low = 0,
+                                      .high = 1e15});
         visit(self.damage_limit,
               Field{.name = "damage_limit",
                     .help = "Time integral of the strain above breaking_strain needed to tear: 0.1 is an excess of 10 "

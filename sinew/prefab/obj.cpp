@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <tuple>
 
 namespace sinew {
 namespace {
@@ -156,6 +157,45 @@ class ReadingObj {
 
 std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits) {
     return ReadingObj(text, limits).read();
+}
+
+MeshModel weld(const MeshModel& model) {
+    const auto count = model.points.size();
+    std::vector<std::uint32_t> order(count), becomes(count);
+    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
+    const auto key = [&](std::uint32_t i) {
+        const auto& p = model.points[i];
+        return std::tuple(p[0], p[1], p[2], i);
+    };
+    sinew::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    std::vector<std::uint32_t> first(count); // point of the file that each one is merged into
+    for (std::size_t k = 0; k < count; ++k) {
+        const bool coincides = k > 0 && model.points[order[k]] == model.points[order[k - 1]];
+        first[order[k]] = coincides ? first[order[k - 1]] : order[k];
+    }
+    MeshModel welded;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (first[i] != i) continue;
+        becomes[i] = std::uint32_t(welded.points.size());
+        welded.points.push_back(model.points[i]);
+    }
+    welded.welded = model.welded + count - welded.points.size();
+    for (std::size_t i = 0; i < model.faces(); ++i) {
+        const auto begin = welded.corners.size();
+        for (const auto corner : model.face(i)) {
+            const auto point = becomes[first[corner]];
+            if (welded.corners.size() == begin || welded.corners.back() != point) welded.corners.push_back(point);
+        }
+        while (welded.corners.size() > begin + 1 && welded.corners.back() == welded.corners[begin])
+            welded.corners.pop_back();
+        auto sorted = std::vector(welded.corners.begin() + std::ptrdiff_t(begin), welded.corners.end());
+        sinew::sort(sorted);
+        if (sorted.size() >= 3 && std::ranges::adjacent_find(sorted) == sorted.end())
+            welded.ends.push_back(std::uint32_t(welded.corners.size()));
+        else
+            welded.corners.resize(begin);
+    }
+    return welded;
 }
 
 std::string to_obj(const MeshModel& model) {

@@ -17,6 +17,7 @@ struct MeshModel {
     std::vector<Vec3<double>> points;
     std::vector<std::uint32_t> corners; ///< indices of points, from 0
     std::vector<std::uint32_t> ends;
+    std::size_t welded = 0; ///< points that weld() has merged with others
 
     std::size_t faces() const { return ends.size(); }
     std::span<const std::uint32_t> face(std::size_t i) const {
@@ -40,6 +41,11 @@ struct ObjLimits {
 /// counted from 1, or backwards from the last with a minus. Normals, texture coordinates, names, groups, materials,
 /// lines and points are ignored. Curves and all other keywords are errors. Points that no face uses are kept.
 std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits = {});
+
+/// The model with points at the same place merged into the first of them: faces that shared no point, as scanners and
+/// programs for printing write them, then hold together. Corners of a face that become one are one; faces of fewer than
+/// three are left out.
+MeshModel weld(const MeshModel& model);
 
 /// Writes the model as an OBJ file. Reading the file back gives identical bits.
 std::string to_obj(const MeshModel& model);

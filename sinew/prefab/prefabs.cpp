@@ -1,22 +1,9 @@
 #include "sinew/prefab/prefabs.h"
 
 #include "sinew/math/format.h"
-#include "sinew/math/limit.h"
+#include "sinew/prefab/problem.h"
 
 namespace sinew {
-namespace {
-
-/// Reason why the particles of a prefab would be lighter than a particle can be; nothing if none is.
-template <class Prefab> std::optional<std::string> problem_of_mass(const Prefab& prefab) {
-    constexpr double lightest = 1 / limit::mass<double>;
-    const auto particles = prefab.sizes().particles;
-    if (prefab.mass >= lightest * double(particles)) return std::nullopt;
-    return format_text("a mass of {} is too little for {} particles: each weighs {} at least", prefab.mass, particles,
-                       lightest);
-}
-
-} // namespace
-
 std::optional<AnyPrefab> make_prefab(std::string_view name) {
     std::optional<AnyPrefab> made;
     Prefabs::for_each([&]<class Prefab>(std::type_identity<Prefab>) {
@@ -40,7 +27,7 @@ std::optional<std::string> problem_of(const AnyPrefab& prefab, int dimension) {
                 return format_text("there is no {} in {} dimensions", Prefab::name, dimension);
             if constexpr (requires { chosen.problem(dimension); })
                 if (auto problem = chosen.problem(dimension)) return problem;
-            return problem_of_mass(chosen);
+            return detail::problem_of_mass(chosen.mass, chosen.sizes().particles);
         },
         prefab);
 }
@@ -51,7 +38,7 @@ std::optional<FigureIndex> build(World<D, Real>& world, const AnyPrefab& prefab,
     return std::visit(
         [&]<class Prefab>(const Prefab& chosen) -> std::optional<FigureIndex> {
             if constexpr (Prefab::dimensions.include(D))
-                return build(world, chosen, name, placement);
+                return build_checked(world, chosen, name, placement);
             else
                 return std::nullopt;
         },

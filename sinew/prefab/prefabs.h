@@ -9,6 +9,7 @@
 #include "sinew/prefab/curtain.h"
 #include "sinew/prefab/formation.h"
 #include "sinew/prefab/humanoid.h"
+#include "sinew/prefab/jelly.h"
 #include "sinew/prefab/limb.h"
 #include "sinew/prefab/mesh.h"
 #include "sinew/prefab/polygon.h"
@@ -36,8 +37,8 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word in this list.
-using Prefabs = TypeList<Polygon, Box, Balls, Tire, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain, Spiderweb,
-                         Tree, Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
+using Prefabs = TypeList<Polygon, Box, Balls, Tire, Jelly, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain,
+                         Spiderweb, Tree, Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
 
 namespace detail {
 template <class List> struct VariantOf;

@@ -19,7 +19,7 @@ struct Rope {
 
     double length = 2;
     int segments = 20;
-    double angle = 0;
+    double angle = 0; ///< radians
     double slack = 0;
     std::string pinned = "start";
     double mass = 1;
@@ -35,11 +35,12 @@ struct Rope {
         visit(self.length,
               Field{.name = "length", .help = "Length along the rope", .unit = unit::length, .low = min, .high = max});
         visit(self.segments, Field{.name = "segments", .help = "Number of straight pieces", .low = 1, .high = 1e9});
-        visit(self.angle, Field{.name = "angle",
-                                .help = "Initial direction: 0 hangs straight down, 90 is level to the right",
-                                .unit = unit::angle,
-                                .low = -4 * pi<double>,
-                                .high = 4 * pi<double>});
+        visit(self.angle,
+              Field{.name = "angle",
+                    .help = "Initial direction: 0 hangs straight down, a quarter turn is level to the right",
+                    .unit = unit::angle,
+                    .low = -4 * pi<double>,
+                    .high = 4 * pi<double>});
         visit(self.slack, Field{.name = "slack",
                                 .help = "Excess of the length over the distance between the ends: 0.1 is 10 %",
                                 .low = 0,

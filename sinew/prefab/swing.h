@@ -15,7 +15,7 @@ struct Swing {
     double length = 1.8;
     double width = 0.6;
     int segments = 12;
-    double angle = 0;
+    double angle = 0; ///< radians
     double mass = 4;
     double weight = 0;
     double thickness = 0.03;
@@ -34,12 +34,13 @@ struct Swing {
                                 .high = max});
         visit(self.segments,
               Field{.name = "segments", .help = "Number of straight pieces of a rope", .low = 1, .high = 1e9});
-        visit(self.angle,
-              Field{.name = "angle",
-                    .help = "Initial direction of the ropes: 0 hangs straight down, 90 is level to the right",
-                    .unit = unit::angle,
-                    .low = -2 * pi<double>,
-                    .high = 2 * pi<double>});
+        visit(
+            self.angle,
+            Field{.name = "angle",
+                  .help = "Initial direction of the ropes: 0 hangs straight down, a quarter turn is level to the right",
+                  .unit = unit::angle,
+                  .low = -2 * pi<double>,
+                  .high = 2 * pi<double>});
         visit(self.mass, Field{.name = "mass",
                                .help = "Total mass, half of which belongs to the seat",
                                .unit = unit::mass,

@@ -7,14 +7,16 @@ namespace sinew {
 
 /// A tire, positioned by its hub. Particles corner_0, ... counter-clockwise around center; constraints tread_0, ...
 /// along the rim, brace_0, ... from a corner to one further on, spoke_0, ... from the centre. (After the tire of
-/// verlet-js.)
+/// verlet-js.) In 3D two such rims, `width` apart along z, on an axle from center (in front) to back_center; behind are
+/// back_0, ..., and cross_0, ... join the rims. A spoke runs from each end of the axle to each corner.
 struct Tire {
     static constexpr std::string_view name = "tire";
     static constexpr std::string_view about = "A soft tire: a tread with braces, and spokes to a hub.";
-    static constexpr Dimensions dimensions{2, 2};
+    static constexpr Dimensions dimensions{2, 3};
 
     int segments = 30;
     double radius = 0.5;
+    double width = 0.25;
     int brace_span = 5;
     Elasticity spoke_elasticity{1e-3 /* m/N */};
     Elasticity tread_elasticity{2e-4 /* m/N */};
@@ -31,6 +33,8 @@ struct Tire {
                                  .unit = unit::length,
                                  .low = 1e-6,
                                  .high = 1e6});
+        visit(self.width,
+              Field{.name = "width", .help = "Width, in 3D", .unit = unit::length, .low = 1e-6, .high = 1e6});
         visit(self.brace_span,
               Field{.name = "brace_span",
                     .help = "Number of sides spanned by a brace; no braces where the ends coincide or are neighbours",
@@ -56,8 +60,14 @@ struct Tire {
                                     .high = 1e6});
     }
 
-    Sizes sizes() const { return {.particles = std::size_t(segments) + 1, .constraints = 3 * std::size_t(segments)}; }
+    Sizes sizes() const {
+        return {.particles = 2 * (std::size_t(segments) + 1), .constraints = 11 * std::size_t(segments) + 1};
+    }
     template <int D, class Real> void build(Builder<D, Real>& figure) const;
+
+  private:
+    template <class Real> void build_flat(Builder<2, Real>& figure) const;
+    template <class Real> void build_wheel(Builder<3, Real>& figure) const;
 };
 
 } // namespace sinew

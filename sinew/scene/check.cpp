@@ -1,9 +1,9 @@
 #include "sinew/scene/check.h"
 
-#include "sinew/constraint/kind_table.h"
 #include "sinew/math/color.h"
 #include "sinew/math/color_names.h"
 #include "sinew/math/format.h"
+#include "sinew/scene/check_constraint.h"
 #include "sinew/scene/colliders.h"
 #include "sinew/scene/types.h"
 
@@ -13,10 +13,6 @@
 
 namespace sinew {
 namespace {
-
-std::string_view article(std::string_view noun) {
-    return std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a" : "an";
-}
 
 std::string colors_like(std::string_view text) {
     std::vector<std::string_view> names(theme_colors.begin(), theme_colors.end());
@@ -34,22 +30,27 @@ class ValueCheck {
   public:
     ValueCheck(const Scene& scene, Document& document) : scene_(scene), document_(document) {}
 
-    void run() {
+    /// Returns true if a world can be built in spite of the errors.
+    bool run() {
+        const auto before = document_.diagnostics.count();
         world_type();
-        names();
         check_sizes(scene_, document_);
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
         for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
-            constraint(scene_.constraints[i], under("constraints", i));
-        for (std::size_t i = 0; i < scene_.looks.size(); ++i)
-            check_look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
+            check_constraint(scene_, scene_.constraints[i], under("constraints", i), document_);
+        check_motors(scene_.constraints, "", document_);
         bounds();
         for (std::size_t i = 0; i < scene_.colliders.size(); ++i) collider(scene_.colliders[i], i);
+        const bool is_buildable = document_.diagnostics.count() == before;
+        names();
+        for (std::size_t i = 0; i < scene_.looks.size(); ++i)
+            check_look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
             detail::visit_held(scene_.pins[i].driver,
                                [&](const auto& driver) { check_driver(driver, under("pins", i, "keys")); });
         for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
         traces();
+        return is_buildable;
     }
 
   private:
@@ -111,7 +112,9 @@ class ValueCheck {
         });
         if (const auto* by_hand = std::get_if<ByHand>(&figure.made)) {
             for (std::size_t k = 0; k < by_hand->constraints.size(); ++k)
-                constraint(by_hand->constraints[k], under("figures", i) + under("constraints", k));
+                check_constraint(scene_, by_hand->constraints[k], under("figures", i) + under("constraints", k),
+                                 document_);
+            check_motors(by_hand->constraints, under("figures", i), document_);
             for (std::size_t k = 0; k < by_hand->pieces.size(); ++k)
                 piece(by_hand->pieces[k], under("figures", i) + under("pieces", k));
         }
@@ -142,36 +145,14 @@ class ValueCheck {
         if (section.every > 0 && section.every < step * 0.999)
             document_.error(under("events", i, "every"),
                             format_text("{} is shorter than a step, {:6}", section.every, step));
-        if (const auto* join = std::get_if<JoinEvent>(&section.event))
-            constraint(join->constraint, under("events", i), "join");
-    }
-
-    void constraint(const ConstraintSection& section, const std::string& place, std::string_view members = "between") {
-        const auto between = format_text("{}/{}", place, members);
-        if (section.rest && (section.low || section.high))
-            document_.error(place + "/rest", "a constraint has either a rest or limits low and high, not both");
-        if (section.low && section.high && *section.low > *section.high)
-            document_.error(place + "/low", format_text("low ({}) is above high ({})", *section.low, *section.high));
-        const auto kind = *kind_called(section.kind);
-        const auto size = section.between.size(), wanted = std::size_t(kind.min_arity);
-        if (kind.any_arity ? size < wanted : size != wanted)
-            document_.error(between,
-                            format_text("{} {} needs {}{} particle{}, found {}", article(kind.name), kind.name,
-                                        kind.any_arity ? "at least " : "", wanted, wanted == 1 ? "" : "s", size));
-        if (section.damping_time > 0 && section.is_rigid())
-            document_.error(place + "/damping_time",
-                            "only a constraint with a compliance has a damping time: a rigid one has nothing to damp");
-        if (section.drive) keys(section.drive->keys, place + "/drive/keys");
-        if (section.drive && section.drive->keys.empty())
-            document_.error(place + "/drive/keys", "a drive needs at least one key");
-        if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1)
-            document_.error(between, "one of the names can end in a star, not more");
-        std::set<std::string_view> seen;
-        for (const auto& name : section.between)
-            if (!seen.insert(name).second) document_.error(between, format_text("\"{}\" is named twice", name));
-        if (!kind.dimensions.include(scene_.dimension))
-            document_.error(place + "/kind",
-                            format_text("there is no {} in {} dimensions", kind.name, scene_.dimension));
+        if (const auto* join = std::get_if<JoinEvent>(&section.event)) {
+            check_constraint(scene_, join->constraint, under("events", i), document_, "join");
+            if (join->constraint.drive)
+                document_.error(under("events", i, "drive"), "a joined constraint has no drive",
+                                "list the constraint in its figure, or give it new limits by an event \"adjust\"");
+        }
+        if (const auto* adjust = std::get_if<AdjustEvent>(&section.event))
+            check_limits(*adjust, under("events", i), document_);
     }
 
     void check_look(const Look& look, const std::string& place) {
@@ -182,18 +163,10 @@ class ValueCheck {
     }
 
     template <class DriverT> void check_driver(const DriverT& driver, const std::string& place) {
-        if constexpr (requires { driver.keys; }) keys(driver.keys, place);
+        if constexpr (requires { driver.keys; }) check_keys(driver.keys, place, document_);
         if constexpr (std::is_same_v<DriverT, PathDriver>)
             if (driver.keys.empty()) document_.error(place, "a path needs at least one key");
     }
-    template <class Key> void keys(const std::vector<Key>& keys, const std::string& place) {
-        for (std::size_t i = 1; i < keys.size(); ++i)
-            if (keys[i].at <= keys[i - 1].at)
-                document_.error(
-                    format_text("{}/{}/at", place, i),
-                    format_text("{} is not after {}, the time of the key before it", keys[i].at, keys[i - 1].at));
-    }
-
     void collider(const ColliderSection& section, std::size_t index) {
         check_collider(section, index, scene_.dimension, document_);
         if (!section.motion) return;
@@ -231,8 +204,8 @@ std::string full_name(std::string_view name, std::string_view prefix) {
     return name.find('/') == std::string_view::npos ? concat(prefix, name) : std::string(name);
 }
 
-void check_values(const Scene& scene, Document& document) {
-    ValueCheck(scene, document).run();
+bool check_values(const Scene& scene, Document& document) {
+    return ValueCheck(scene, document).run();
 }
 
 } // namespace sinew

@@ -6,14 +6,18 @@
 namespace sinew {
 
 /// Checks before building: unique names, sizes within the limits, prefabs that exist in the scene's dimension,
-/// constraints with consistent values.
-void check_values(const Scene& scene, Document& document);
+/// constraints with consistent values. Returns true if a world can be built nevertheless, to look for more errors in.
+bool check_values(const Scene& scene, Document& document);
 
 /// The part of check_values about limits: numbers of figures, events, particles and constraints.
 void check_sizes(const Scene& scene, Document& document);
 
 /// Checks after building: every particle, constraint, figure and part referred to exists.
 void check_references(const Scene& scene, const AnyWorld& world, Document& document);
+
+/// Warns of values that a valid scene can hardly mean: strains that no link reaches, a mesh in several parts, welded
+/// points.
+void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document);
 
 /// A JSON pointer in a document: "/figures/2/looks".
 std::string under(std::string_view list, std::size_t index, std::string_view key = {});

@@ -5,6 +5,7 @@
 #include "sinew/world/edit.h"
 
 #include <algorithm>
+#include <map>
 #include <span>
 
 namespace sinew {
@@ -22,6 +23,7 @@ template <int D, class Real> class ReferenceCheck {
                 particle(scene_.constraints[i].between[k], under("constraints", i, "between") + under("", k).substr(1));
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
             particle(scene_.pins[i].particle, under("pins", i, "particle"));
+        pins();
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
         for (std::size_t i = 0; i < scene_.looks.size(); ++i) check_look(scene_.looks[i].first);
         for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
@@ -81,11 +83,31 @@ template <int D, class Real> class ReferenceCheck {
         const auto slash = path.find('/');
         if (slash == std::string_view::npos)
             return document_.error(place, format_text("expected a {} as figure/name, found \"{}\"", what, path),
-                                   suggest(path, figure_names()));
+                                   full_names(what, path));
         const auto index = find_figure(world_, path.substr(0, slash));
         if (!index) return unknown("figure", path.substr(0, slash), place, figure_names());
         const auto& figure = world_.figures[*index];
         tell(figure, format_text("{} in \"{}\" called", what, path.substr(0, slash)), path.substr(slash + 1));
+    }
+
+    /// Help for a name without a figure: the figures that have one of that name, or else of a near one.
+    std::string full_names(std::string_view what, std::string_view name) const {
+        const bool particles = what == "particle";
+        std::vector<std::string> full;
+        constexpr std::size_t max = 1000;
+        for (const auto& figure : world_.figures) {
+            const auto path = concat(figure.name, "/", name);
+            if (particles ? find_particle(world_, path).has_value() : find_constraint(world_, path).has_value())
+                return concat("did you mean ", in_quotes(path), "?");
+            const auto add = [&](std::string_view given) {
+                if (full.size() < max) full.push_back(concat(figure.name, "/", given));
+            };
+            for (const auto given : particles ? given_in(figure.particle_names) : given_in(figure.constraint_names))
+                add(given);
+            for (const auto& run : particles ? figure.particle_numbers : figure.constraint_numbers)
+                if (run.count > 0) add(name_of(run.first, std::span(&run, 1)));
+        }
+        return suggest(name, {full.begin(), full.end()});
     }
 
     void particle(std::string_view name, const std::string& place) {
@@ -100,8 +122,26 @@ template <int D, class Real> class ReferenceCheck {
         if (!name.empty() && !find_figure(world_, name)) unknown("figure", name, place, figure_names());
     }
 
+    /// Reports particles that one pin of the scene holds rigidly and another pin holds too: the later one would take
+    /// them over. A pin of the figure itself is taken over without a word.
+    void pins() {
+        std::map<std::uint32_t, std::size_t> held; // by index of the particle: the pin that holds it
+        for (std::size_t i = 0; i < scene_.pins.size(); ++i)
+            for (const auto id : find_particles(world_, scene_.pins[i].particle)) {
+                const auto [first, fresh] = held.try_emplace(id.index, i);
+                if (fresh || first->second == i) continue;
+                const auto& earlier = scene_.pins[first->second];
+                if (earlier.grip.compliance > 0 || earlier.grip.max_force > 0 || earlier.steer) continue;
+                document_.error(under("pins", i, "particle"),
+                                format_text("\"{}\" is held by {} already, as \"{}\"", scene_.pins[i].particle,
+                                            under("pins", first->second), earlier.particle),
+                                "one pin holds a particle: put driver, target and grip into one of them");
+                break;
+            }
+    }
+
     void constraint(std::string_view name, const std::string& place) {
-        path("constraint", name, place, find_constraint(world_, name).has_value(),
+        path("constraint", name, place, !find_constraints(world_, name).empty(),
              [&](const Figure& figure, const std::string& what, std::string_view unfound) {
                  unknown(what, unfound, place, given_in(figure.constraint_names),
                          numbers_text(figure.constraint_numbers));
@@ -210,10 +250,46 @@ template <int D, class Real> class ReferenceCheck {
         for (std::size_t k = 0; k < join.constraint.between.size(); ++k)
             particle(join.constraint.between[k], under("events", i, "join") + format_text("/{}", k));
     }
+    void event(const AdjustEvent& adjust, std::size_t i) {
+        for (std::size_t k = 0; k < adjust.constraints.size(); ++k)
+            if (!is_joined_later(adjust.constraints[k]))
+                constraint(adjust.constraints[k], under("events", i, "adjust") + format_text("/{}", k));
+        if (scene_.dimension == 3 && (adjust.rest.value_or(0) < 0 || adjust.high.value_or(0) < 0))
+            for (const auto& name : adjust.constraints)
+                for (const auto& id : find_constraints(world_, name))
+                    if (id.kind == kind_number<Angle, D>) return no_sign(i);
+    }
+    void no_sign(std::size_t i) {
+        document_.error(under("events", i), "an angle in 3 dimensions has no sign: 0 to 180");
+    }
+    void event(const ResizeEvent& resize, std::size_t i) { particle(resize.particles, under("events", i, "resize")); }
     void event(const RemoveEvent& removal, std::size_t i) {
-        for (std::size_t k = 0; k < removal.constraints.size(); ++k)
-            if (!is_joined_later(removal.constraints[k]))
-                constraint(removal.constraints[k], under("events", i, "remove") + format_text("/{}", k));
+        for (std::size_t k = 0; k < removal.names.size(); ++k) {
+            const auto& name = removal.names[k];
+            const auto place = under("events", i, "remove") + format_text("/{}", k);
+            if (name.find('/') == std::string::npos) {
+                if (!find_figure(world_, name) && !collider_called(world_, name)) side(name, place);
+            } else if (!is_joined_later(name)) {
+                constraint(name, place);
+            }
+        }
+    }
+    void event(const AddEvent& more, std::size_t i) {
+        if (!find_figure(world_, more.figure))
+            unknown("figure", more.figure, under("events", i, "add"), figure_names());
+    }
+    void event(const ColliderEvent& change, std::size_t i) {
+        const auto place = under("events", i, "collider");
+        const auto section = std::ranges::find(scene_.colliders, change.collider, &ColliderSection::name);
+        if (section == scene_.colliders.end() || change.collider.empty()) {
+            std::vector<std::string_view> names;
+            for (const auto& one : scene_.colliders)
+                if (!one.name.empty()) names.emplace_back(one.name);
+            return unknown("collider", change.collider, place, std::move(names));
+        }
+        if (section->motion && (change.to || change.turn))
+            document_.error(place, format_text("\"{}\" has a motion of its own", change.collider),
+                            "an event moves what has none");
     }
     template <class Event> void event(const Event&, std::size_t) {}
 };

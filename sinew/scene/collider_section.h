@@ -170,6 +170,7 @@ struct ColliderSection {
     std::optional<std::vector<int>> touches;
     std::optional<Point> one_way;
     bool sensor = false;
+    Point surface_velocity{};
     std::optional<MotionSection> motion;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -187,6 +188,11 @@ struct ColliderSection {
         visit(self.one_way,
               Field{.name = "one_way", .help = "Direction of the only solid side: [0, 1] holds what falls on it"});
         visit(self.sensor, Field{.name = "sensor", .help = "Reports touches, and lets everything through"});
+        visit(self.surface_velocity,
+              Field{.name = "surface_velocity",
+                    .help = "Velocity at which the surface runs along itself and carries what lies on it, before the "
+                            "turn: a belt, an escalator",
+                    .unit = unit::speed});
         visit(self.motion, Field{.name = "motion", .help = "Motion in time"});
     }
 };

@@ -40,7 +40,7 @@ template <int D, class Real> struct ShapesOf {
     Shapes operator()(const CapsuleShape& capsule) const {
         return {collide::Capsule<D, Real>{capsule.from.as<D, Real>(), capsule.to.as<D, Real>(), Real(capsule.radius)}};
     }
-    Shapes operator()(const BoxShape& box) const { return {collide::Box<D, Real>{box.size.as<D, Real>() * Real(0.5)}}; }
+    Shapes operator()(const BoxShape& box) const { return {collide::Box<D, Real>{box.size.as<D, Real>()}}; }
     Shapes operator()(const PolygonShape& polygon) const {
         Shapes shapes;
         if constexpr (D == 2)
@@ -226,6 +226,7 @@ std::vector<collide::Collider<D, Real>> colliders_of(const ColliderSection& sect
                                             .friction = Real(section.friction),
                                             .filter = filter_of(section.layers, section.touches),
                                             .is_sensor = section.sensor,
+                                            .surface_velocity = section.surface_velocity.as<D, Real>(),
                                             .name = section.name,
                                             .tag = std::uint32_t(index)};
         if (section.one_way) collider.one_way = collider.target.turn_back(section.one_way->as<D, Real>());

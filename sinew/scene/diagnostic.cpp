@@ -24,13 +24,28 @@ void Diagnostics::error(Span span, std::string path, std::string message, std::s
     kept_.push_back({span, std::move(path), std::move(message), std::move(help)});
 }
 
-std::vector<Diagnostic> Diagnostics::in_order() const {
+void Diagnostics::warn(Span span, std::string path, std::string message, std::string help) {
+    if (warnings_.size() < max_kept) warnings_.push_back({span, std::move(path), std::move(message), std::move(help)});
+}
+
+namespace {
+
+/// Sorted by position, without duplicates.
+std::vector<Diagnostic> sorted(std::vector<Diagnostic> all) {
     const auto key = [](const Diagnostic& d) { return std::tie(d.span.source, d.span.begin, d.span.end, d.message); };
-    auto sorted = kept_;
-    sinew::stable_sort(sorted.begin(), sorted.end(), [&](auto& a, auto& b) { return key(a) < key(b); });
-    sorted.erase(std::unique(sorted.begin(), sorted.end(), [&](auto& a, auto& b) { return key(a) == key(b); }),
-                 sorted.end());
-    return sorted;
+    sinew::stable_sort(all.begin(), all.end(), [&](auto& a, auto& b) { return key(a) < key(b); });
+    all.erase(std::unique(all.begin(), all.end(), [&](auto& a, auto& b) { return key(a) == key(b); }), all.end());
+    return all;
+}
+
+} // namespace
+
+std::vector<Diagnostic> Diagnostics::in_order() const {
+    return sorted(kept_);
+}
+
+std::vector<Diagnostic> Diagnostics::warnings_in_order() const {
+    return sorted(warnings_);
 }
 
 namespace {
@@ -157,8 +172,10 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-void print(std::string& out, const Diagnostics& diagnostics, const Diagnostic& diagnostic, LineFinder& finder,
-           const PrintStyle& style) {
+constexpr std::string_view error_word = "error:", warning_word = "warning:";
+
+void print(std::string& out, std::string_view severity, const Diagnostics& diagnostics, const Diagnostic& diagnostic,
+           LineFinder& finder, const PrintStyle& style) {
     const Paint paint{style.color};
     const Source& source = diagnostics.source(diagnostic.span.source);
     const Place place = finder.find(diagnostic.span);
@@ -169,7 +186,8 @@ void print(std::string& out, const Diagnostics& diagnostics, const Diagnostic& d
     const std::string number = padded(std::to_string(place.line), 5);
     const std::string gutter(number.size() + 1, ' ');
     const std::string path = diagnostic.path.empty() ? "/" : printable(diagnostic.path, 500);
-    out += concat(paint("1", where), " ", paint("1;31", "error:"), " ", diagnostic.message, " at ", path, "\n");
+    out += concat(paint("1", where), " ", paint(severity == error_word ? "1;31" : "1;35", severity), " ",
+                  diagnostic.message, " at ", path, "\n");
     out += concat(number, " | ", excerpt.source, "\n");
     out += concat(gutter, "| ", paint("1;32", excerpt.marks), "\n");
     if (!diagnostic.help.empty()) out += concat(gutter, "= ", paint("1", "help:"), " ", diagnostic.help, "\n");
@@ -186,9 +204,17 @@ std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style) {
     LineFinder finder(diagnostics);
     const auto all = diagnostics.in_order();
     const auto shown = std::min(all.size(), style.max);
-    for (std::size_t i = 0; i < shown; ++i) print(out, diagnostics, all[i], finder, style);
+    for (std::size_t i = 0; i < shown; ++i) print(out, error_word, diagnostics, all[i], finder, style);
     if (const auto rest = diagnostics.count() - shown; rest > 0)
         out += concat("and ", rest, rest == 1 ? " more error\n" : " more errors\n");
+    return out;
+}
+
+std::string warnings_text(const Diagnostics& diagnostics, const PrintStyle& style) {
+    std::string out;
+    LineFinder finder(diagnostics);
+    for (const auto& warning : diagnostics.warnings_in_order())
+        print(out, warning_word, diagnostics, warning, finder, style);
     return out;
 }
 
@@ -292,11 +318,55 @@ constexpr std::array<Renamed, 9> renamed_words = {{{"angle", "turn"},
                                                    {"toughness", "damage_limit"},
                                                    {"wheel_quickens", "wheel_time_scale"}}};
 
+/// Words of other engines and of everyday speech.
+constexpr std::array<Renamed, 36> foreign_words = {{{"anchored", "pinned"},
+                                                    {"ball", "sphere"},
+                                                    {"circle", "sphere"},
+                                                    {"color", "looks"},
+                                                    {"colour", "color"},
+                                                    {"density", "mass"},
+                                                    {"edge", "chain"},
+                                                    {"elasticity", "bounce"},
+                                                    {"elasticity", "compliance"},
+                                                    {"fixed", "pinned"},
+                                                    {"floor", "half_space"},
+                                                    {"ground", "half_space"},
+                                                    {"heightfield", "height_field"},
+                                                    {"hinge", "angle"},
+                                                    {"joint", "distance"},
+                                                    {"plane", "half_space"},
+                                                    {"points", "particles"},
+                                                    {"pos", "at"},
+                                                    {"position", "at"},
+                                                    {"prismatic", "rail"},
+                                                    {"rectangle", "box"},
+                                                    {"restitution", "bounce"},
+                                                    {"rod", "distance"},
+                                                    {"rotation", "turn"},
+                                                    {"slider", "rail"},
+                                                    {"spring", "distance"},
+                                                    {"static", "pinned"},
+                                                    {"stiffness", "compliance"},
+                                                    {"terrain", "height_field"},
+                                                    {"type", "shape"},
+                                                    {"type", "kind"},
+                                                    {"type", "prefab"},
+                                                    {"type", "driver"},
+                                                    {"type", "force"},
+                                                    {"wall", "half_space"},
+                                                    {"wheel", "tire"}}};
+
 } // namespace
 
 std::string_view new_name(std::string_view word) {
     const auto found = std::ranges::find(renamed_words, word, &Renamed::from);
     return found == renamed_words.end() ? std::string_view() : found->to;
+}
+
+std::string_view own_name(std::string_view word, std::span<const std::string_view> candidates) {
+    for (const auto& [from, to] : foreign_words)
+        if (from == word && std::ranges::find(candidates, to) != candidates.end()) return to;
+    return {};
 }
 
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates) {
@@ -307,7 +377,8 @@ std::string suggest(std::string_view word, std::vector<std::string_view> candida
     std::string help;
     const auto renamed = new_name(word);
     const bool is_renamed = std::ranges::find(candidates, renamed) != candidates.end();
-    const auto near = is_renamed ? renamed : nearest(word, candidates);
+    const auto own = own_name(word, candidates);
+    const auto near = is_renamed ? renamed : !own.empty() ? own : nearest(word, candidates);
     if (!near.empty())
         help = concat(is_renamed ? "renamed to " : "did you mean ", in_quotes(near), is_renamed ? " " : "? ");
 

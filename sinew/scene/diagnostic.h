@@ -25,7 +25,7 @@ struct Source {
     std::string text;
 };
 
-/// An error in a source, for its author.
+/// An error in a source, or a warning of values that are allowed but seldom meant, for its author.
 struct Diagnostic {
     Span span;
     std::string path;    ///< JSON pointer of the value: "/figures/0/mass"
@@ -49,14 +49,19 @@ class Diagnostics {
     bool full() const { return kept_.size() >= max_kept; }
     void count_one_more() { ++uncounted_; }
 
+    /// Adds a warning; beyond `max_kept` they are dropped.
+    void warn(Span span, std::string path, std::string message, std::string help = {});
+
+    /// True without errors; warnings do not count.
     bool ok() const { return kept_.empty() && uncounted_ == 0; }
     std::size_t count() const { return in_order().size() + uncounted_; }
     /// The stored errors, sorted by position, without duplicates.
     std::vector<Diagnostic> in_order() const;
+    std::vector<Diagnostic> warnings_in_order() const;
 
   private:
     std::vector<Source> sources_;
-    std::vector<Diagnostic> kept_;
+    std::vector<Diagnostic> kept_, warnings_;
     std::size_t uncounted_ = 0;
 };
 
@@ -79,6 +84,8 @@ struct PrintStyle {
 ///           |                                 ^~~~~~~
 ///           = help: did you mean "mass"? (allowed here: id, mass, pinned, pos)
 std::string to_text(const Diagnostics& diagnostics, const PrintStyle& style = {});
+/// The warnings, in the same form.
+std::string warnings_text(const Diagnostics& diagnostics, const PrintStyle& style = {});
 
 /// The candidate closest to a misspelt `word`; empty where none is close. Distance: insertions, deletions,
 /// substitutions and swaps of neighbours (optimal string alignment), ignoring case.
@@ -91,6 +98,9 @@ std::vector<std::string_view> similar(std::string_view word, std::span<const std
 
 /// Present name of a property that a former version of the format called `word`; empty for all others.
 std::string_view new_name(std::string_view word);
+
+/// The candidate that other engines call `word` ("restitution" for "bounce"); empty if there is none.
+std::string_view own_name(std::string_view word, std::span<const std::string_view> candidates);
 
 /// Help text for an unknown word: `did you mean "mass"? (allowed here: id, mass, pinned, pos)`
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates);

@@ -242,13 +242,30 @@ void shift(Value& value, std::uint32_t source, std::uint32_t by) {
         }
 }
 
-/// Parses a text as JSON; a text that is no JSON becomes a string.
-Value value_of(std::string_view text, std::uint32_t source, std::uint32_t begin, const Limits& limits) {
-    Diagnostics unused;
-    if (auto value = json::parse(unused.add_source({}, std::string(text)), unused, limits); value && unused.ok()) {
+/// Reports the first mistake of a value that was meant as JSON: that opens a list, an object or a string, or is a
+/// number beyond all numbers. False for any other text, which is a word.
+bool report_broken(std::string_view text, const Diagnostics& told, std::uint32_t source, std::uint32_t begin,
+                   Diagnostics& diagnostics) {
+    const auto all = told.in_order();
+    if (all.empty() || text.empty()) return false;
+    auto [span, path, message, help] = all.front();
+    const bool opens = std::string_view("[{\"").find(text.front()) != std::string_view::npos;
+    if (!opens && !message.starts_with("the number ")) return false;
+    if (const std::string_view file = "the file"; message.starts_with(file))
+        message.replace(0, file.size(), "the value");
+    diagnostics.error({source, begin + span.begin, begin + span.end}, "", std::move(message), std::move(help));
+    return true;
+}
+
+/// Parses a text as JSON; a text that is no JSON becomes a string. Nothing for broken JSON, which is reported.
+std::optional<Value> value_of(std::string_view text, std::uint32_t source, std::uint32_t begin, const Limits& limits,
+                              Diagnostics& diagnostics) {
+    Diagnostics told;
+    if (auto value = json::parse(told.add_source({}, std::string(text)), told, limits); value && told.ok()) {
         shift(*value, source, begin);
         return std::move(*value);
     }
+    if (report_broken(text, told, source, begin, diagnostics)) return {};
     Value value(text);
     value.span = {source, begin, begin + std::uint32_t(text.size())};
     return value;
@@ -272,8 +289,9 @@ std::optional<Assignment> take_apart(const Override& override, Diagnostics& diag
         diagnostics.error({source, 0, std::uint32_t(equals)}, "", "longer than any value of a scene");
         return {};
     }
-    return Assignment{steps_of(pair.substr(0, equals), source),
-                      value_of(pair.substr(equals + 1), source, std::uint32_t(equals + 1), limits)};
+    auto value = value_of(pair.substr(equals + 1), source, std::uint32_t(equals + 1), limits, diagnostics);
+    if (!value) return {};
+    return Assignment{steps_of(pair.substr(0, equals), source), std::move(*value)};
 }
 
 /// Sets the value at the end of the steps and creates missing objects along the path. Unknown keys are left for the
@@ -344,13 +362,21 @@ std::string mode_of(const Document& document, const std::vector<Assignment>& ass
 
 void Document::error(std::string_view pointer, std::string message, std::string help) {
     if (diagnostics.full()) return diagnostics.count_one_more();
-    std::string path(pointer);
+    diagnostics.error(span_at(pointer), std::string(pointer), std::move(message), std::move(help));
+}
+
+void Document::warn(std::string_view pointer, std::string message, std::string help) {
+    diagnostics.warn(span_at(pointer), std::string(pointer), std::move(message), std::move(help));
+}
+
+/// Place of the value at a pointer, or of the innermost value around it.
+Span Document::span_at(std::string_view pointer) const {
     const Value* value = json::find(root, pointer);
     while (!value) {
         pointer = pointer.substr(0, std::min(pointer.rfind('/'), pointer.size() - 1));
         value = json::find(root, pointer);
     }
-    diagnostics.error(value->span, std::move(path), std::move(message), std::move(help));
+    return value->span;
 }
 
 Document load(std::string text, std::string name, std::span<const Override> overrides) {

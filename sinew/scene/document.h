@@ -24,6 +24,11 @@ struct Document {
     /// Reports an error at a JSON pointer: "/figures/3/name". Where the file has no such value (a default is at fault),
     /// the error points at the enclosing value.
     void error(std::string_view pointer, std::string message, std::string help = {});
+    /// Warns, likewise.
+    void warn(std::string_view pointer, std::string message, std::string help = {});
+
+  private:
+    Span span_at(std::string_view pointer) const;
 };
 
 /// key=value, as on a command line or in a page address.

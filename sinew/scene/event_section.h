@@ -5,6 +5,7 @@
 #include "sinew/scene/figure_section.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -150,11 +151,113 @@ struct CutEvent {
 
 struct RemoveEvent {
     static constexpr std::string_view name = "remove";
-    static constexpr std::string_view about = "Removal of constraints by name.";
-    std::vector<std::string> constraints;
+    static constexpr std::string_view about = "Removal of constraints, figures and colliders by name.";
+    std::vector<std::string> names;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
-        visit(self.constraints, Field{.name = "remove", .help = "Constraints, as figure/name", .required = true});
+        visit(
+            self.names,
+            Field{
+                .name = "remove",
+                .help =
+                    "Constraints, as figure/name, with figure/stem_* for all names with that stem; figures; colliders",
+                .required = true});
+    }
+};
+
+struct AddEvent {
+    static constexpr std::string_view name = "add";
+    static constexpr std::string_view about =
+        "One more of a figure of the scene, as it is at the start; the copies are called NAME_1, NAME_2, ...";
+    static constexpr std::uint64_t most = 10'000; ///< copies by one event
+    std::string figure;
+    std::optional<Point> to, velocity;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.figure, Field{.name = "add", .help = "Figure of the scene", .required = true});
+        visit(self.to,
+              Field{.name = "to", .help = "Position of the origin; the figure's if left out", .unit = unit::length});
+        visit(self.velocity, Field{.name = "velocity",
+                                   .help = "Initial velocity of the whole figure; the figure's if left out",
+                                   .unit = unit::speed});
+    }
+};
+
+struct ColliderEvent {
+    static constexpr std::string_view name = "collider";
+    static constexpr std::string_view about =
+        "A change of a collider: moved, switched off or on, its surface set running.";
+    std::string collider;
+    std::optional<Point> to;
+    std::optional<double> turn;
+    double duration = 0;
+    std::optional<bool> enabled;
+    std::optional<Point> surface_velocity;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.collider,
+              Field{.name = "collider", .help = "Name of a collider without a motion", .required = true});
+        visit(self.to,
+              Field{.name = "to", .help = "New position; what touches it is carried along", .unit = unit::length});
+        visit(self.turn,
+              Field{.name = "turn", .help = "New rotation, as in the collider's section", .unit = unit::angle});
+        visit(self.duration, Field{.name = "duration",
+                                   .help = "Duration of the motion; 0 for a single step",
+                                   .unit = unit::time,
+                                   .low = 0,
+                                   .high = 1e9});
+        visit(self.enabled, Field{.name = "enabled",
+                                  .help = "false: touches nothing, and is not drawn, until it is switched on again"});
+        visit(
+            self.surface_velocity,
+            Field{.name = "surface_velocity", .help = "New velocity of the surface along itself", .unit = unit::speed});
+    }
+};
+
+/// New values for constraints while a scene runs; absent members keep their values.
+struct AdjustEvent {
+    static constexpr std::string_view name = "adjust";
+    static constexpr std::string_view about = "New values for constraints: their limits, compliance and strength.";
+    std::vector<std::string> constraints;
+    std::optional<double> rest, low, high, compliance, max_force, breaking_strain, break_force;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.constraints, Field{.name = "adjust",
+                                      .help = "Constraints, as figure/name; figure/stem_* for all names with that stem",
+                                      .required = true});
+        visit(self.rest, Field{.name = "rest", .help = "Value of the measure to keep (degrees for an angle)"});
+        visit(self.low, Field{.name = "low", .help = "Smallest value of the measure"});
+        visit(self.high, Field{.name = "high", .help = "Largest value of the measure"});
+        visit(self.compliance,
+              Field{.name = "compliance", .help = "Compliance (1/stiffness); 0 is rigid", .low = 0, .high = 1e12});
+        visit(self.max_force,
+              Field{.name = "max_force", .help = "Largest force; 0 for no limit", .low = 0, .high = 1e15});
+        visit(self.breaking_strain,
+              Field{.name = "breaking_strain", .help = "Strain at which it tears; 0 for never", .low = 0, .high = 1e6});
+        visit(self.break_force, Field{.name = "break_force",
+                                      .help = "Force above which it tears; 0 for never",
+                                      .unit = unit::force,
+                                      .low = 0,
+                                      .high = 1e15});
+    }
+};
+
+struct ResizeEvent {
+    static constexpr std::string_view name = "resize";
+    static constexpr std::string_view about = "A new collision radius of particles.";
+    std::string particles;
+    double radius = 0;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.particles, Field{.name = "resize",
+                                    .help = "Particle, as figure/name; figure/stem_* for all names with that stem",
+                                    .required = true});
+        visit(self.radius, Field{.name = "radius",
+                                 .help = "Collision radius",
+                                 .unit = unit::length,
+                                 .low = 0,
+                                 .high = 1e6,
+                                 .required = true});
     }
 };
 
@@ -235,7 +338,7 @@ struct EventSection {
     double every = 0;
     int times = 0;
     std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, KickEvent, GustEvent, CutEvent, RemoveEvent, JoinEvent,
-                 SetEvent, NoteEvent>
+                 AdjustEvent, ResizeEvent, SetEvent, AddEvent, ColliderEvent, NoteEvent>
         event;
 
     /// Time of the first occurrence, or before which no contact counts.

@@ -7,6 +7,7 @@
 #include "sinew/scene/driver_section.h"
 #include "sinew/scene/look_section.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -16,7 +17,8 @@
 /// Figures of a scene, and the constraints and pins on figures.
 namespace sinew {
 
-/// A keyframe of "drive", which moves the limits of a constraint: a winch for a distance, a motor for an angle.
+/// A keyframe of "drive", which moves the limits of a constraint: a winch for a distance, a motor for an angle. As in a
+/// path of a pin, the limits move evenly from key to key, from their initial value at time 0 on.
 struct DriveKey {
     double at = 0;
     std::optional<double> to, strength;
@@ -24,8 +26,8 @@ struct DriveKey {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.at,
               Field{.name = "at", .help = "Time", .unit = unit::time, .low = 0, .high = 1e12, .required = true});
-        visit(self.to,
-              Field{.name = "to", .help = "Target of the rest value, or of the high limit, from this time on"});
+        visit(self.to, Field{.name = "to",
+                             .help = "Rest value, or high limit, at this time, reached evenly from the key before"});
         visit(self.strength,
               Field{.name = "strength",
                     .help = "Share of max_force at this time, interpolated linearly to the next key with a strength",
@@ -35,13 +37,19 @@ struct DriveKey {
 };
 
 struct DriveSection {
-    double speed = 0;
+    std::optional<double> speed;
     std::vector<DriveKey> keys;
+
+    /// True if a key says where the limits are.
+    bool has_targets() const {
+        return std::any_of(keys.begin(), keys.end(), [](const DriveKey& key) { return key.to.has_value(); });
+    }
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.speed, Field{.name = "speed",
-                                .help = "Speed of the limits, length units (or degrees) per time unit; without keys "
-                                        "the motion never ends, and a negative speed shortens",
+                                .help = "Speed of the limits, length units (or degrees) per time unit. Without keys "
+                                        "the motion never ends, and a negative speed shortens; with keys this is the "
+                                        "largest speed, and that of the steepest piece between keys if left out",
                                 .low = -1e9,
                                 .high = 1e9});
         visit(self.keys, Field{.name = "keys", .help = "Keyframes in order of time"});
@@ -189,6 +197,8 @@ struct ContactSection {
     bool itself = false;
     std::string cloth{cloth_contact_names[0]};
     double friction = 0.5;
+    double bounce = 0;
+    std::optional<double> wall_friction;
     std::vector<int> layers{0};
     std::optional<std::vector<int>> touches;
 
@@ -210,6 +220,15 @@ struct ContactSection {
         visit(self.friction,
               Field{.name = "friction",
                     .help = "Coefficient of Coulomb friction against other figures; the smaller one counts",
+                    .low = 0,
+                    .high = 100});
+        visit(self.bounce, Field{.name = "bounce",
+                                 .help = "Coefficient of restitution on walls and colliders; the larger one counts",
+                                 .low = 0,
+                                 .high = 1});
+        visit(self.wall_friction,
+              Field{.name = "wall_friction",
+                    .help = "Coefficient of Coulomb friction against walls and colliders; theirs if left out",
                     .low = 0,
                     .high = 100});
         visit(self.layers, Field{.name = "layers", .help = "Layers it belongs to", .low = 0, .high = 31});

@@ -14,20 +14,21 @@ namespace {
 /// Builds the world of a scene: first the surroundings, then figures, constraints between them and pins.
 template <int D, class Real> class WorldBuilder {
   public:
-    explicit WorldBuilder(const Scene& scene) : scene_(scene) {}
+    /// `world`: empty, or one that figures are added to.
+    WorldBuilder(const Scene& scene, World<D, Real>& world) : scene_(scene), world_(world) {}
 
-    World<D, Real> make() {
+    void make() {
         Surroundings<D, Real>(scene_, world_).build();
         for (const auto& figure : scene_.figures) add(figure);
         for (const auto& constraint : scene_.constraints) join(world_, constraint);
         for (const auto& section : scene_.pins) hold(section);
-        return std::move(world_);
     }
+    void add(const FigureSection& section) { add(section, name_of(section)); }
 
   private:
     using Vector = Vec<D, Real>;
     const Scene& scene_;
-    World<D, Real> world_;
+    World<D, Real>& world_;
 
     static Vector vector(const Point& point) { return point.as<D, Real>(); }
 
@@ -37,14 +38,15 @@ template <int D, class Real> class WorldBuilder {
                      .itself = contact.itself,
                      .cloth = cloth_contact(contact.cloth),
                      .friction = contact.friction,
-                     .filter = filter_of(contact.layers, contact.touches)});
+                     .filter = filter_of(contact.layers, contact.touches),
+                     .bounce = contact.bounce,
+                     .wall_friction = contact.wall_friction});
         if (!contact.radius) return;
         for (const auto id : world_.figures[figure].particles)
             if (const auto row = row_of(world_, id)) world_.particles.radius[*row] = Real(*contact.radius);
     }
 
-    void add(const FigureSection& section) {
-        const auto name = name_of(section);
+    void add(const FigureSection& section, std::string_view name) {
         FigureIndex figure = no_figure;
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
         SINEW_ASSERT(has_figure(world_, figure), "a section of the scene makes a figure");
@@ -89,8 +91,9 @@ template <int D, class Real> class WorldBuilder {
     template <class Prefab>
     FigureIndex build_figure(const Prefab& prefab, std::string_view name, const FigureSection& section) {
         if constexpr (Prefab::dimensions.include(D))
-            return build(world_, prefab, name,
-                         Placement<D, Real>{.at = vector(section.at), .turn = section.turn, .up = up_of(scene_)});
+            return build_checked(
+                world_, prefab, name,
+                Placement<D, Real>{.at = vector(section.at), .turn = section.turn, .up = up_of(scene_)});
         else
             return no_figure;
     }
@@ -182,7 +185,10 @@ template <class WorldT> bool is_of(int dimension, std::string_view precision) {
 template <class... Each> AnyWorld instantiate_any(const Scene& scene, std::type_identity<std::variant<Each...>>) {
     AnyWorld made;
     const auto make = [&]<int D, class Real>(std::type_identity<World<D, Real>>) {
-        if (is_of<World<D, Real>>(scene.dimension, scene.solver.precision)) made = WorldBuilder<D, Real>(scene).make();
+        if (!is_of<World<D, Real>>(scene.dimension, scene.solver.precision)) return;
+        World<D, Real> world;
+        WorldBuilder<D, Real>(scene, world).make();
+        made = std::move(world);
     };
     (make(std::type_identity<Each>{}), ...);
     return made;
@@ -197,6 +203,11 @@ bool has_world(int dimension, std::string_view precision, std::type_identity<std
 
 AnyWorld instantiate(const Scene& scene) {
     return instantiate_any(scene, std::type_identity<AnyWorld>{});
+}
+
+void add_figure(const Scene& scene, const FigureSection& section, AnyWorld& world) {
+    std::visit([&]<int D, class Real>(World<D, Real>& known) { WorldBuilder<D, Real>(scene, known).add(section); },
+               world);
 }
 
 bool has_world(int dimension, std::string_view precision) {

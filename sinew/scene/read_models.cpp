@@ -2,6 +2,7 @@
 
 #include "sinew/scene/file_name.h"
 #include "sinew/scene/text.h"
+#include "sinew/scene/types.h"
 
 #include <map>
 
@@ -15,7 +16,7 @@ ReadModel read_model(std::string_view text, std::string_view name, const Limits&
         const auto line = problem->line > 0 ? concat(":", problem->line) : "";
         return {nullptr, concat(printable(name), line, ": ", problem->message), ""};
     }
-    return {std::make_shared<const MeshModel>(std::get<MeshModel>(std::move(read))), "", ""};
+    return {std::make_shared<const MeshModel>(weld(std::get<MeshModel>(read))), "", ""};
 }
 
 namespace {
@@ -46,8 +47,12 @@ class Models {
 void read_models(Scene& scene, const ModelReader& reader, Document& document) {
     Models models(reader, document);
     for (std::size_t i = 0; i < scene.figures.size(); ++i)
-        if (auto* mesh = std::get_if<Mesh>(&scene.figures[i].made); mesh && !mesh->file.empty())
-            if (auto model = models.read(mesh->file, concat("/figures/", i, "/file"))) mesh->model = std::move(model);
+        detail::visit_held(scene.figures[i].made, [&](auto& made) {
+            if constexpr (requires { made.model; })
+                if (!made.file.empty())
+                    if (auto model = models.read(made.file, concat("/figures/", i, "/file")))
+                        made.model = std::move(model);
+        });
     for (std::size_t i = 0; i < scene.colliders.size(); ++i)
         if (auto* mesh = std::get_if<MeshShape>(&scene.colliders[i].shape); mesh && !mesh->file.empty())
             if (auto model = models.read(mesh->file, concat("/colliders/", i, "/file"))) mesh->model = std::move(model);

@@ -139,7 +139,8 @@ std::string help_with(const json::Member& member, const std::vector<std::string_
     constexpr std::size_t max_told = 4;
     const auto renamed = new_name(member.key);
     const auto word = renamed.empty() ? std::string_view(member.key) : renamed;
-    const bool is_near = std::ranges::find(allowed, word) != allowed.end() || !nearest(word, allowed).empty();
+    const bool is_near = std::ranges::find(allowed, word) != allowed.end() || !own_name(word, allowed).empty() ||
+                         !nearest(word, allowed).empty();
     if (member.key_span.source == file || !in.elsewhere || is_near) return suggest(member.key, allowed);
     const auto paths = in.elsewhere(member.key);
     if (paths.empty()) return suggest(member.key, allowed);

@@ -57,6 +57,17 @@ bool is_of_later_version(Document& document) {
     return true;
 }
 
+/// Reports a file without a version, and reads on as if the present one were stated.
+void check_version(Document& document) {
+    auto* members = document.root.as<json::Object>();
+    if (!members || json::find(*members, "sinew")) return;
+    document.error("", "missing property \"sinew\", the version of the format",
+                   concat("begin the file with {\"sinew\": ", Scene{}.version, ", ..."));
+    json::Value version(Scene{}.version);
+    version.span = document.root.span;
+    members->push_back({"sinew", std::move(version), document.root.span});
+}
+
 } // namespace
 
 Units Scene::measures() const {
@@ -70,6 +81,8 @@ double step_length(const Scene& scene) {
 std::optional<Opened> open_scene(Document& document, const ImageReader& images, const ModelReader& models) {
     const bool unreadable = document.root.as<json::Object>()->empty() && !document.diagnostics.ok();
     if (unreadable || is_of_later_version(document)) return std::nullopt;
+    check_version(document);
+    const auto without_version = document.diagnostics.count();
     Diagnostics heard_again = document.diagnostics; // errors in the header are reported by the full reading
     const Header header(document, heard_again);
     Opened opened;
@@ -83,14 +96,15 @@ std::optional<Opened> open_scene(Document& document, const ImageReader& images, 
                      if (!layout) layout = scene_layout();
                      return key_paths(*layout, document.root, key);
                  }});
-    if (!document.diagnostics.ok()) return std::nullopt;
+    if (document.diagnostics.count() > without_version) return std::nullopt;
     if (models) read_models(opened.scene, models, document);
-    check_values(opened.scene, document);
-    if (!document.diagnostics.ok()) return std::nullopt;
+    const bool has_models = document.diagnostics.count() == without_version;
+    if (!check_values(opened.scene, document) || !has_models) return std::nullopt;
     opened.world = instantiate(opened.scene);
     check_references(opened.scene, opened.world, document);
     if (images) opened.images = read_images(opened, images, document);
     if (!document.diagnostics.ok()) return std::nullopt;
+    warn_of_traps(opened.scene, opened.world, document);
     return opened;
 }
 

@@ -200,6 +200,8 @@ bool has_world(int dimension, std::string_view precision);
 
 /// Builds the world of a valid scene, at the start of the scene.
 AnyWorld instantiate(const Scene& scene);
+/// Adds a figure to the world of a scene, as one more.
+void add_figure(const Scene& scene, const FigureSection& section, AnyWorld& world);
 
 struct Opened {
     Scene scene;

@@ -1,9 +1,13 @@
 #pragma once
 
+#include "sinew/constraint/kind_table.h"
 #include "sinew/math/random.h"
+#include "sinew/scene/colliders.h"
 #include "sinew/scene/join.h"
 #include "sinew/scene/scene.h"
 #include "sinew/topology/cut.h"
+#include "sinew/world/colliders.h"
+#include "sinew/world/edit.h"
 
 namespace sinew {
 
@@ -66,10 +70,36 @@ template <class WorldT> struct EventApplier {
 
     std::string operator()(const RemoveEvent& removal) const {
         std::vector<ConstraintId> ids;
-        for (const auto& name : removal.constraints)
-            if (const auto id = find_constraint(world, name)) ids.push_back(*id);
+        for (const auto& name : removal.names) {
+            for (const auto& id : find_constraints(world, name)) ids.push_back(id);
+            if (name.find('/') != std::string::npos) continue;
+            if (const auto figure = find_figure(world, name)) remove_figure(world, *figure);
+            while (const auto collider = collider_called(world, name)) remove_collider(world, *collider);
+        }
         cut(world, std::span<const ConstraintId>(ids));
-        return removal.constraints.empty() ? "" : removal.constraints.front();
+        return removal.names.empty() ? "" : removal.names.front();
+    }
+
+    std::string operator()(const ColliderEvent& change) const {
+        for (auto& collider : world.colliders) {
+            if (collider.name != change.collider || collider.tag >= scene.colliders.size()) continue;
+            const auto& section = scene.colliders[collider.tag];
+            if (change.enabled)
+                collider.filter = *change.enabled ? filter_of(section.layers, section.touches) : collide::Filter{0, 0};
+            if (change.surface_velocity) collider.surface_velocity = change.surface_velocity->template as<D, Real>();
+        }
+        return change.collider;
+    }
+
+    std::string operator()(const AdjustEvent& event) const {
+        for (const auto& name : event.constraints)
+            for (const auto& id : find_constraints(world, name)) adjust(id, event);
+        return event.constraints.empty() ? "" : event.constraints.front();
+    }
+
+    std::string operator()(const ResizeEvent& event) const {
+        for (const auto id : find_particles(world, event.particles)) set_radius(world, id, Real(event.radius));
+        return event.particles;
     }
 
     std::string operator()(const SetEvent& set) const {
@@ -91,6 +121,30 @@ template <class WorldT> struct EventApplier {
     }
 
   private:
+    void adjust(const ConstraintId& id, const AdjustEvent& to) const {
+        constexpr Real never = limit::measure<Real>;
+        const auto unless_zero = [](double value) { return value > 0 ? Real(value) : never; };
+        if (to.rest || to.low || to.high) set_limits(world, id, limits_after(id, to));
+        if (to.compliance) set_compliance(world, id, Real(*to.compliance));
+        if (to.max_force) set_max_force(world, id, unless_zero(*to.max_force));
+        if (to.breaking_strain) set_breaking_strain(world, id, unless_zero(*to.breaking_strain));
+        if (to.break_force) set_break_force(world, id, unless_zero(*to.break_force));
+    }
+
+    /// Limits of a constraint after an event: a limit that the event leaves out stays, unless the other one passes it.
+    Interval<Real> limits_after(const ConstraintId& id, const AdjustEvent& to) const {
+        Interval<Real> limits{};
+        visit_table(world, id.kind, [&](const auto& table) {
+            if (const auto row = table.handles.find(id.id)) limits = {table.low(*row), table.high(*row)};
+        });
+        const auto& kind = kinds_in<D>[std::size_t(id.kind)];
+        const auto value = [&](double in_file) { return Real(in_file) * (kind.angle ? pi<Real> / 180 : Real(1)); };
+        if (to.rest) return exactly(value(*to.rest));
+        if (to.low) limits.low = value(*to.low), limits.high = max(limits.high, limits.low);
+        if (to.high) limits.high = value(*to.high), limits.low = min(limits.low, limits.high);
+        return limits;
+    }
+
     /// Applies an impulse to a figure as one body: every movable particle gets the same change of velocity.
     void strike(const Figure& figure, const Vec<D, Real>& by) const {
         Real mass = 0;

@@ -7,6 +7,7 @@
 #include "sinew/world/edit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace sinew {
@@ -26,15 +27,53 @@ std::array<const DriveKey*, 2> around(const std::vector<DriveKey>& keys, double 
     return found;
 }
 
-/// Speed of the limit over the next `dt`, so as to reach the present key from `now` at most at the drive's speed.
-/// `in_program`: factor from the scene's units to the program's.
-double speed_at(const DriveSection& drive, double time, double dt, double now, double in_program) {
-    const double speed = drive.speed * in_program;
-    if (drive.keys.empty()) return speed;
-    const auto* key = around(drive.keys, time + dt * 1e-6, [](const DriveKey& k) { return k.to.has_value(); })[0];
-    if (!key) return 0;
-    const double fastest = absolute(speed);
-    return clamp((*key->to * in_program - now) / dt, -fastest, fastest);
+bool has_target(const DriveKey& key) {
+    return key.to.has_value();
+}
+
+/// Value of the limit at a time, on straight lines through the keys from `rest` at time 0 on.
+double target_at(const DriveSection& drive, double time, double rest) {
+    const auto [last, next] = around(drive.keys, time, has_target);
+    const double from = last ? *last->to : rest, since = last ? last->at : 0;
+    if (!next) return from;
+    return from + (*next->to - from) * (time - since) / (next->at - since);
+}
+
+/// Speed of the steepest piece between keys.
+double steepest(const DriveSection& drive, double rest) {
+    double fastest = 0, at = 0, value = rest;
+    for (const auto& key : drive.keys) {
+        if (!key.to) continue;
+        if (key.at > at) fastest = max(fastest, absolute(*key.to - value) / (key.at - at));
+        at = key.at, value = *key.to;
+    }
+    return fastest;
+}
+
+/// Speed of the limit over the next `dt`, from the value `now`, in the scene's units. A motor that lags behind its
+/// keys, because its force was too small, makes up for it at the drive's speed.
+double speed_at(const DriveSection& drive, double time, double dt, double now, double rest) {
+    if (!drive.has_targets()) return drive.speed.value_or(0);
+    const double fastest = drive.speed ? absolute(*drive.speed) : steepest(drive, rest);
+    return clamp((target_at(drive, time + dt, rest) - now) / dt, -fastest, fastest);
+}
+
+/// Takes whole turns off the limits of an angle that turns for ever: rounding would grow with the angle.
+template <class WorldT> void forget_turns(WorldT& world, const ConstraintId& id) {
+    visit_table(world, id.kind, [&](auto& table) {
+        using Kind = typename std::decay_t<decltype(table)>::Kind;
+        if constexpr (Kind::period > 0) {
+            using Real = typename WorldT::Real;
+            const auto row = table.handles.find(id.id);
+            constexpr auto turn = Real(Kind::period);
+            if (!row) return;
+            const Real low = absolute(table.low(*row)), high = absolute(table.high(*row));
+            constexpr Real many = Real(64) * turn, far = Real(1e5) * turn;
+            if (min(low, high) < many || max(low, high) > far) return;
+            const Real whole = turn * std::floor(table.high(*row) / turn);
+            table.limits.change(*row, [&](Real end) { return end - whole; });
+        }
+    });
 }
 
 std::optional<double> strength_at(const DriveSection& drive, double time) {
@@ -70,6 +109,15 @@ std::size_t made_by(const WorldT& world, const ConstraintSection& section, const
                                      [&](ParticleId id) { return std::ranges::find(single, id) == single.end(); }));
 }
 
+/// High limit of a constraint of a freshly built world.
+template <class WorldT> double high_of(const WorldT& world, const ConstraintId& id) {
+    double high = 0;
+    visit_table(world, id.kind, [&](const auto& table) {
+        if (const auto row = table.handles.find(id.id)) high = double(table.high(*row));
+    });
+    return high;
+}
+
 void Motors::find(const Scene& scene, const AnyWorld& any) {
     driven_.clear();
     std::visit(
@@ -83,7 +131,8 @@ void Motors::find(const Scene& scene, const AnyWorld& any) {
                         if (by_hand->constraints[i].drive) {
                             SINEW_ASSERT(next < world.figures[f].constraints.size(),
                                          "sections make constraints in order");
-                            driven_.push_back({world.figures[f].constraints[next], f, i});
+                            driven_.push_back({world.figures[f].constraints[next], f, i,
+                                               high_of(world, world.figures[f].constraints[next])});
                         }
             }
             // The scene's own constraints are the last of each kind, in the scene's order.
@@ -97,7 +146,8 @@ void Motors::find(const Scene& scene, const AnyWorld& any) {
                             const Row row = Row(table.size()) - ++after[std::size_t(kind)];
                             SINEW_ASSERT(row < table.size(), "the scene's constraints are the last of their kind");
                             if (scene.constraints[i].drive)
-                                driven_.push_back({{kind, table.handles.id_of(row)}, no_figure_of_scene, i});
+                                driven_.push_back(
+                                    {{kind, table.handles.id_of(row)}, no_figure_of_scene, i, double(table.high(row))});
                         }
                     ++kind;
                 });
@@ -129,9 +179,11 @@ void Motors::run(const Scene& scene, AnyWorld& any) const {
                 visit_table(world, driven.constraint.kind, [&](const auto& table) {
                     const auto row = table.handles.find(driven.constraint.id);
                     if (!row) return;
-                    drive(world, driven.constraint,
-                          Real(speed_at(*section.drive, world.time, dt, double(table.high(*row)), in_program)));
+                    const double speed = speed_at(*section.drive, world.time, dt, double(table.high(*row)) / in_program,
+                                                  driven.rest / in_program);
+                    drive(world, driven.constraint, Real(speed * in_program));
                 });
+                if (!section.drive->has_targets()) forget_turns(world, driven.constraint);
                 if (const auto strength = strength_at(*section.drive, world.time); strength && section.max_force > 0)
                     set_max_force(world, driven.constraint, Real(section.max_force * *strength));
             }

@@ -25,10 +25,11 @@ class Motors {
     struct Driven {
         ConstraintId constraint;
         std::size_t figure = 0, section = 0; ///< indices; `figure` is ~0 for the scene's own constraints
+        double rest = 0;                     ///< high limit at the start, in the world's units
 
         template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
-            auto& [constraint, figure, section] = self;
-            visit(constraint, figure, section);
+            auto& [constraint, figure, section, rest] = self;
+            visit(constraint, figure, section, rest);
         }
     };
     static const ConstraintSection& section_of(const Scene& scene, const Driven& driven);

@@ -1,7 +1,9 @@
 #include "sinew/session/session.h"
 
 #include "sinew/assert/assert.h"
+#include "sinew/scene/check.h"
 #include "sinew/scene/reader.h"
+#include "sinew/scene/text.h"
 #include "sinew/session/collider_motion.h"
 #include "sinew/session/event_applier.h"
 #include "sinew/session/focus.h"
@@ -70,6 +72,7 @@ void Session::restart() {
     stroke_.reset();
     taken_over_ = false;
     grabs_.clear();
+    collider_moves_.clear();
     blowing_.clear();
     happenings_.clear();
     happening_count_ = 0;
@@ -196,6 +199,30 @@ Session::Noted Session::apply(const CutEvent& event, std::uint64_t) {
     return "";
 }
 
+Session::Noted Session::apply(const AddEvent& event, std::uint64_t before) {
+    const auto original = std::ranges::find(scene_.figures, event.figure, [](const auto& one) { return name_of(one); });
+    if (original == scene_.figures.end() || before >= AddEvent::most) return std::nullopt;
+    auto copy = *original;
+    const auto exists = [&](const std::string& name) {
+        return std::visit([&](const auto& world) { return find_figure(world, name).has_value(); }, world_);
+    };
+    for (auto number = before + 1; copy.name = concat(event.figure, "_", number), exists(copy.name);) ++number;
+    if (event.to) copy.at = *event.to;
+    if (event.velocity) copy.velocity = *event.velocity;
+    add_figure(scene_, copy, world_);
+    note_parted();
+    return copy.name;
+}
+
+Session::Noted Session::apply(const ColliderEvent& event, std::uint64_t before) {
+    collider_moves_.begin(world_, scene_, event);
+    return std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            return EventApplier<WorldT>{world, scene_, before}(event);
+        },
+        world_);
+}
+
 template <class Event> Session::Noted Session::apply(const Event& event, std::uint64_t before) {
     auto where = std::visit(
         [&]<class WorldT>(WorldT& world) {
@@ -261,6 +288,7 @@ void Session::drive() {
     const int up = scene_.units.up == "-y" ? -1 : 1;
     const double now = std::visit([](const auto& world) { return world.time; }, world_);
     move_colliders(scene_, pointer_, now + step_length(scene_), Arrival::in_a_step, world_);
+    collider_moves_.carry(world_, scene_, step_length(scene_));
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             const double then = world.time + step_length(scene_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/scene/scene.h"
+#include "sinew/session/collider_motion.h"
 #include "sinew/session/contact_rules.h"
 #include "sinew/session/driver.h"
 #include "sinew/session/event_grabs.h"
@@ -142,9 +143,9 @@ class Session {
     /// compile until listed. Whoever writes calls is_sound() afterwards.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [scene, world, solver, images, focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to,
-               taken_over, grabs, blowing, history, islands, happenings, happening_count] = self;
-        visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, blowing, history,
-              islands, happenings, happening_count);
+               taken_over, grabs, collider_moves, blowing, history, islands, happenings, happening_count] = self;
+        visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, collider_moves,
+              blowing, history, islands, happenings, happening_count);
     }
     /// False unless all indices are of this scene and world.
     bool is_sound() const;
@@ -199,6 +200,8 @@ class Session {
     Noted apply(const ReleaseEvent& release, std::uint64_t before);
     Noted apply(const GustEvent& gust, std::uint64_t before);
     Noted apply(const CutEvent& event, std::uint64_t before);
+    Noted apply(const AddEvent& event, std::uint64_t before);
+    Noted apply(const ColliderEvent& event, std::uint64_t before);
     template <class Event> Noted apply(const Event& event, std::uint64_t before);
     std::optional<PinId> freeze_hovered();
     void still_gusts();
@@ -224,6 +227,7 @@ class Session {
     Point stroke_to_{};
     bool taken_over_ = false; ///< after the pointer's first grab, until a restart: grab events are ignored
     EventGrabs grabs_;
+    ColliderMoves collider_moves_;
     std::vector<Blowing> blowing_;
     History history_;
     std::vector<std::size_t> islands_; ///< per figure, as last noted

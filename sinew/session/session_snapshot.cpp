@@ -52,8 +52,8 @@ bool Session::is_sound() const {
     return std::ranges::all_of(due_, is_event) && std::is_heap(due_.begin(), due_.end()) &&
            std::ranges::all_of(driven_, is_driven) &&
            std::ranges::all_of(blowing_, [&](const Blowing& blowing) { return blowing.force < forces; }) &&
-           rules_.is_of(scene_) && winder_.is_of(scene_) && history_.is_of(scene_) && history_.is_sound() &&
-           happenings_.size() <= std::min(max_happenings, happening_count_);
+           rules_.is_of(scene_) && winder_.is_of(scene_) && collider_moves_.is_of(scene_) && history_.is_of(scene_) &&
+           history_.is_sound() && happenings_.size() <= std::min(max_happenings, happening_count_);
 }
 
 std::vector<std::byte> save(const Session& session, std::string_view from) {

@@ -136,6 +136,7 @@ template <int D, class Real> class WorldCheck {
         rows_within("motor_speed", table.motor_speed, n, -double(limit::speed<Real>), double(limit::speed<Real>));
         rows_within("motorized", table.motorized, n, 0, 1);
         rows_within("breaking_strain", table.breaking_strain, n, 0, max);
+        rows_within("break_force", table.break_force, n, 0, max);
         rows_within("damage_limit", table.damage_limit, n, 0, max);
         rows_within("damage", table.damage, n, 0, double(std::numeric_limits<Real>::max()));
         rows_within("limits", table.limits.lows(), n, -max, max);
@@ -211,7 +212,8 @@ template <int D, class Real> class WorldCheck {
             }
             within("colliders", double(collider.restitution), 0, 1);
             within("colliders", double(collider.friction), 0, double(most));
-            expect(is_finite(collider.one_way), "colliders", "not a finite number");
+            expect(is_finite(collider.one_way) && is_finite(collider.surface_velocity), "colliders",
+                   "not a finite number");
             std::visit([&](const auto& shape) { check_shape(shape); }, collider.shape);
         }
     }
@@ -230,7 +232,7 @@ template <int D, class Real> class WorldCheck {
         expect(is_finite(capsule.a) && is_finite(capsule.b), "colliders", "not a finite number");
     }
     void check_shape(const collide::Box<D, Real>& box) {
-        for (int i = 0; i < D; ++i) size_within(box.half[i]);
+        for (int i = 0; i < D; ++i) size_within(box.half()[i]);
     }
     void check_shape(const collide::Polygon<2, Real>& polygon) {
         finite_points(polygon.corners);

@@ -82,8 +82,8 @@ template <class Archive, int D, class Real> void archive(Archive& at, collide::C
     archive_all(at, a, b, radius);
 }
 template <class Archive, int D, class Real> void archive(Archive& at, collide::Box<D, Real>& box) {
-    auto& [half] = box;
-    archive(at, half);
+    auto& [size] = box;
+    archive(at, size);
 }
 template <class Archive, class Real> void archive(Archive& at, collide::Polygon<2, Real>& polygon) {
     auto& [corners] = polygon;
@@ -111,8 +111,9 @@ template <class Archive, class Real> void archive(Archive& at, collide::Mesh<3, 
 }
 /// A collider without its poses.
 template <class Archive, int D, class Real> void archive_but_poses(Archive& at, collide::Collider<D, Real>& collider) {
-    auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name, tag] = collider;
-    archive_all(at, shape, restitution, friction, filter, one_way, is_sensor, name, tag);
+    auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, surface_velocity, name, tag] =
+        collider;
+    archive_all(at, shape, restitution, friction, filter, one_way, is_sensor, surface_velocity, name, tag);
 }
 
 // --- rows ------------------------------------------------------------------------------------------------------------
@@ -154,13 +155,17 @@ template <class Archive> void archive(Archive& at, TouchStrength& strength) {
     auto& [impulse, blow, blow_before, is_new] = strength;
     archive_all(at, impulse, blow, blow_before, is_new);
 }
+template <class Archive> void archive(Archive& at, TouchPlace& place) {
+    auto& [point, normal, speed] = place;
+    archive_all(at, point, normal, speed);
+}
 template <class Archive> void archive(Archive& at, ColliderTouch& touch) {
-    auto& [particle, collider, strength] = touch;
-    archive_all(at, particle, collider, strength);
+    auto& [particle, collider, strength, place] = touch;
+    archive_all(at, particle, collider, strength, place);
 }
 template <class Archive> void archive(Archive& at, FigureTouch& touch) {
-    auto& [first, second, particle, hardest, strength] = touch;
-    archive_all(at, first, second, particle, hardest, strength);
+    auto& [first, second, particle, hardest, strength, place] = touch;
+    archive_all(at, first, second, particle, hardest, strength, place);
 }
 template <class Archive> void archive(Archive& at, Event& event) {
     auto& [type, figure, constraint, ends, particle, collider, other, other_particle, impulse] = event;
@@ -189,10 +194,10 @@ template <class Archive> void archive(Archive& at, Piece& piece) {
 template <class Archive> void archive(Archive& at, Figure& figure) {
     auto& [name, prefab, particles, constraints, particle_names, constraint_names, particle_numbers, constraint_numbers,
            pieces, fragments, direct, integrator, tethers, quarantined, filter, collides, touches_itself, cloth,
-           friction, internal_damping, generation] = figure;
+           friction, bounce, wall_friction, internal_damping, generation] = figure;
     archive_all(at, name, prefab, particles, constraints, particle_names, constraint_names, particle_numbers,
                 constraint_numbers, pieces, fragments, direct, integrator, tethers, filter, collides, touches_itself,
-                cloth, friction, internal_damping, generation);
+                cloth, friction, bounce, wall_friction, internal_damping, generation);
 }
 
 } // namespace sinew::snapshot

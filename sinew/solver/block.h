@@ -82,8 +82,9 @@ struct BlockDrive {
     double damping_time = 0, motor_speed = 0; ///< damping time, s; rate of change of the limits, per second
     double low_begun = 0, high_begun = 0;     ///< limits at the start of the step
     bool motorized = false;
-    bool slips = false; ///< the force is saturated in this iteration
-    int doubts = 0;     ///< changes of `slips` in this substep
+    bool is_motor = false; ///< drive() has set a rate: a limit that slips does not spring back
+    bool slips = false;    ///< the force is saturated in this iteration
+    int doubts = 0;        ///< changes of `slips` in this substep
 
     bool gives() const {
         static_assert(limit::measure<double> <= double(limit::measure<float>), "one limit serves both precisions");

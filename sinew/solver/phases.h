@@ -29,7 +29,8 @@ template <int D, class Real> void forget_forces(World<D, Real>& world);
 /// finite values to the stated limits. Saves the positions before the step.
 template <int D, class Real> void hold_in_limits(World<D, Real>& world, Solver<D, Real>& solver);
 
-/// tear.cpp: removes constraints strained beyond their breaking point for longer than permitted, after a step of dt; a
+/// tear.cpp: removes constraints strained beyond their breaking point for longer than permitted, or loaded beyond their
+/// break force, after a step of dt; a
 /// torn distance takes along the constraints that both ends belong to.
 template <int D, class Real> void tear(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 

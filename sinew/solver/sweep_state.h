@@ -14,10 +14,29 @@ namespace sinew {
 
 /// Blow of a wall on a particle of the sweep in a substep.
 template <int D, class Real> struct WallBlow {
-    Vec<D, Real> away{};        ///< velocity after it, along the normal
+    Vec<D, Real> normal{};      ///< of the wall
+    Real away = 0;              ///< speed along the normal afterwards, at least
+    Real stopped = 0;           ///< speed along the normal that the contact has given already
     Vec<D, Real> surface{};     ///< velocity of the wall
     Real friction = 0;          ///< Coulomb's coefficient
     std::uint32_t collider = 0; ///< 1 + index of the collider; 0 for a plane of the world
+};
+
+/// Blows on a particle in a substep, at most one for each direction: a corner has D walls.
+template <int D, class Real> struct WallBlows {
+    std::array<WallBlow<D, Real>, std::size_t(D)> list{};
+    std::size_t count = 0;
+    Vec<D, Real> displacement{}; ///< of the particle in the substep, before the first blow
+
+    void add(const WallBlow<D, Real>& blow) {
+        constexpr Real alike = Real(1) - Real(1e-5); // cosine of the angle between walls that are one
+        for (std::size_t i = 0; i < count; ++i)
+            if (dot(list[i].normal, blow.normal) > alike) {
+                list[i].stopped += blow.stopped;
+                return;
+            }
+        if (count < list.size()) list[count++] = blow;
+    }
 };
 
 /// Particles of the sweep during a step: one column per component, in slots arranged so that particles solved together
@@ -34,7 +53,7 @@ template <int D, class Real> struct SweepState {
     bool everyone_alike = false; ///< only gravity acts in this step, equally on all
     Vec<D, Real> gravity{};
     Real largest_radius = 0;
-    std::vector<WallBlow<D, Real>> blows;             ///< by slot, in this substep
+    std::vector<WallBlows<D, Real>> blows;            ///< by slot, in this substep
     bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
     FreeBodies<D> bodies;

@@ -2,6 +2,7 @@
 #include "sinew/math/sort.h"
 #include "sinew/world/changes.h"
 #include "sinew/world/edit.h"
+#include "sinew/world/stencil.h"
 
 #include <algorithm>
 
@@ -30,6 +31,7 @@ void append_rows(Table& table, std::size_t count, const ConstraintSpec<Real>& sp
     table.motor_speed.append(count, Real(0));
     table.motorized.append(count, 0);
     table.breaking_strain.append(count, clamp(spec.breaking_strain, Real(0), max));
+    table.break_force.append(count, clamp(spec.break_force, Real(0), max));
     table.damage_limit.append(count, clamp(spec.damage_limit, Real(0), max));
     table.damage.append(count, Real(0));
     table.figure.append(count, figure);
@@ -62,7 +64,7 @@ void complete(World<D, Real>& world, Table& table, const ConstraintSpec<Real>& s
     SINEW_ASSERT(first <= last && last <= limit::rows, "members are appended first, within the limit");
     if (first == last) return;
     append_rows(table, last - first, spec, spec.limits.value_or(Interval<Real>{0, 0}), known(world, spec.figure));
-    if (table.breaking_strain.back() < limit::measure<Real>) // dependents of every kind tear along, within a step
+    if (table.may_tear(last - 1)) // dependents of every kind tear along, within a step
         for_each_table(world, [](auto& any) { any.expect_tears(); });
     for (Row row = first; row < last; ++row) {
         const ConstraintId id{kind, table.handles.append()};
@@ -148,6 +150,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
             return;
         }
         if (table.size() == limit::rows) return;
+        if (spec.limits && !detail::are_possible<Kind>(spec.limits->low, spec.limits->high)) return;
         table.members.append(rows);
         complete(world, table, spec, [&](const ConstraintId& id) { added = id; });
     });

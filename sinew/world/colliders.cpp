@@ -76,6 +76,9 @@ bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactS
     changed.cloth = spec.cloth;
     changed.friction = clamp(spec.friction, 0.0, double(limit::measure<Real>));
     changed.filter = spec.filter;
+    changed.bounce = clamp(spec.bounce, 0.0, 1.0);
+    changed.wall_friction = spec.wall_friction;
+    if (spec.wall_friction) changed.wall_friction = clamp(*spec.wall_friction, 0.0, double(limit::measure<Real>));
     return true;
 }
 

@@ -29,8 +29,10 @@ struct FigureContactSpec {
     bool figures = false;                               ///< its particles and links touch other figures with the same
     bool itself = false;                                ///< they touch each other, except for neighbours on a link
     ClothContactKind cloth = ClothContactKind::spheres; ///< of its faces with themselves and other cloth (3D)
-    double friction = 0.5;
+    double friction = 0.5;                              ///< against other figures; the smaller one counts
     collide::Filter filter{};
+    double bounce = 0;                     ///< on walls; the larger one counts
+    std::optional<double> wall_friction{}; ///< against walls, in place of theirs
 };
 /// Changes the contact of a figure; false for an unknown figure.
 template <int D, class Real> bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactSpec& spec);

@@ -48,10 +48,19 @@ struct TouchStrength {
     bool is_hit(double threshold) const { return blow >= threshold && (is_new || blow_before < threshold); }
 };
 
+/// Place of a touch, where and when it pressed hardest in the last step; no part of the state, which a step reads.
+struct TouchPlace {
+    std::array<double, 3> point{};  ///< of the surface; in 2D the third number is 0
+    std::array<double, 3> normal{}; ///< unit length, towards the particle, or from the second figure to the first; zero
+                                    ///< for a body that is near and does not press
+    double speed = 0;               ///< of approach along the normal, before the contact acts, length per time
+};
+
 /// Touch of a particle and a collider or a plane, by their slots.
 struct ColliderTouch {
     std::uint32_t particle = 0, collider = 0;
     TouchStrength strength{};
+    TouchPlace place{};
     friend constexpr auto operator<=>(const ColliderTouch& a, const ColliderTouch& b) {
         return std::tie(a.particle, a.collider) <=> std::tie(b.particle, b.collider);
     }
@@ -64,6 +73,7 @@ struct FigureTouch {
     std::array<std::uint32_t, 2> particle{};           ///< slots: of either side, where they press hardest
     double hardest = 0;                                ///< impulse there, newton seconds
     TouchStrength strength{};
+    TouchPlace place{};
     friend constexpr auto operator<=>(const FigureTouch& a, const FigureTouch& b) {
         return std::tie(a.first, a.second) <=> std::tie(b.first, b.second);
     }

@@ -3,8 +3,10 @@
 #include "sinew/assert/assert.h"
 #include "sinew/world/mobility.h"
 #include "sinew/world/remove.h"
+#include "sinew/world/stencil.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace sinew {
 template <int D, class Real> std::size_t remove_particles(World<D, Real>& world, std::span<const ParticleId> ids) {
@@ -71,12 +73,32 @@ template <class Real> constexpr bool is_no_number(Real value) {
 
 } // namespace
 
+namespace {
+
+/// True if another rigid constraint of the table holds the same members, in this order or the reverse.
+template <class Table> bool has_rigid_twin(const Table& table, Row row) {
+    const auto members = table.members[row];
+    for (Row other = 0; other < table.size(); ++other) {
+        if (other == row || !table.is_rigid(other) || table.gives(other)) continue;
+        const auto others = table.members[other];
+        if (std::equal(members.begin(), members.end(), others.begin(), others.end()) ||
+            std::equal(members.begin(), members.end(), std::make_reverse_iterator(others.end()),
+                       std::make_reverse_iterator(others.begin())))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
 template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate) {
     if (is_no_number(rate)) return false;
     bool found = false;
     visit_table(world, id.kind, [&](auto& table) {
         const auto row = table.handles.find(id.id);
         if (!row) return;
+        const bool is_absolute = table.is_rigid(*row) && !table.gives(*row);
+        if (!table.motorized[*row] && is_absolute && has_rigid_twin(table, *row)) return;
         found = true;
         if (!table.motorized[*row]) detail::note_feature(world, table, *row);
         table.motorized.set(*row, 1);
@@ -97,6 +119,65 @@ template <int D, class Real> bool set_max_force(World<D, Real>& world, const Con
         if (table.gives(*row) != gave) detail::note_feature(world, table, *row);
     });
     return found;
+}
+
+namespace {
+
+/// Calls change(table, row) for a constraint, whose method of solution may be another one afterwards.
+template <int D, class Real, class Change>
+bool change_constraint(World<D, Real>& world, const ConstraintId& id, Change&& change) {
+    bool found = false;
+    visit_table(world, id.kind, [&](auto& table) {
+        const auto row = table.handles.find(id.id);
+        if (!row) return;
+        found = change(table, *row);
+        if (found) detail::note_feature(world, table, *row);
+    });
+    return found;
+}
+
+/// Sets a bound beyond which a constraint tears, in the column column(table).
+template <int D, class Real, class ColumnOf>
+bool set_strength(World<D, Real>& world, const ConstraintId& id, Real bound, ColumnOf&& column) {
+    if (is_no_number(bound)) return false;
+    const bool found = change_constraint(world, id, [&](auto& table, Row row) {
+        column(table).set(row, clamp(bound, Real(0), limit::measure<Real>));
+        return true;
+    });
+    if (found && bound < limit::measure<Real>) for_each_table(world, [](auto& table) { table.expect_tears(); });
+    return found;
+}
+
+} // namespace
+
+template <int D, class Real>
+bool set_limits(World<D, Real>& world, const ConstraintId& id, const Interval<Real>& limits) {
+    if (is_no_number(limits.low) || is_no_number(limits.high)) return false;
+    constexpr auto max = limit::measure<Real>;
+    return change_constraint(world, id, [&](auto& table, Row row) {
+        if (!detail::are_possible<typename std::decay_t<decltype(table)>::Kind>(limits.low, limits.high)) return false;
+        const Real low = clamp(limits.low, -max, max);
+        table.limits.set(row, low, clamp(limits.high, low, max));
+        return true;
+    });
+}
+
+template <int D, class Real> bool set_compliance(World<D, Real>& world, const ConstraintId& id, Real compliance) {
+    if (is_no_number(compliance)) return false;
+    return change_constraint(world, id, [&](auto& table, Row row) {
+        table.compliance.set(row, clamp(compliance, Real(0), limit::measure<Real>));
+        return true;
+    });
+}
+
+template <int D, class Real> bool set_breaking_strain(World<D, Real>& world, const ConstraintId& id, Real strain) {
+    return set_strength(
+        world, id, strain, [](auto& table) -> auto& { return table.breaking_strain; });
+}
+
+template <int D, class Real> bool set_break_force(World<D, Real>& world, const ConstraintId& id, Real force) {
+    return set_strength(
+        world, id, force, [](auto& table) -> auto& { return table.break_force; });
 }
 
 template <int D, class Real> std::optional<Vec<D, Real>> position_of(const World<D, Real>& world, ParticleId id) {
@@ -141,6 +222,14 @@ template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id,
     return true;
 }
 
+template <int D, class Real> bool set_radius(World<D, Real>& world, ParticleId id, Real radius) {
+    const auto row = world.particles.handles.find(id);
+    if (!row || is_no_number(radius)) return false;
+    world.particles.radius[*row] = clamp(radius, Real(0), limit::coordinate<Real>);
+    world.journal.touch(world.particles.handles.index_of(*row), Touch::joined);
+    return true;
+}
+
 template <int D, class Real> bool apply_force(World<D, Real>& world, ParticleId id, const Vec<D, Real>& force) {
     const auto row = world.particles.handles.find(id);
     if (!row) return false;
@@ -159,10 +248,25 @@ template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleI
     return set_velocity(world, id, p.velocity[*row] + clamp_finite(impulse, max) * per_mass);
 }
 
+namespace {
+
+/// Removes the rigid pin of a particle, which a new pin takes over.
+template <int D, class Real> void remove_rigid_pin(World<D, Real>& world, ParticleId particle, Row row) {
+    if (world.particles.mobility[row] > Real(0)) return;
+    std::vector<char> gone(world.pins.size(), 0);
+    for (std::size_t i = 0; i < gone.size(); ++i) gone[i] = world.pins[i].particle == particle && world.pins[i].hard();
+    if (std::ranges::find(gone, char(1)) == gone.end()) return;
+    detail::erase_pins(world, gone);
+    detail::refresh_mobility(world, row);
+}
+
+} // namespace
+
 template <int D, class Real>
 std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSpec<D, Real>& spec) {
     const auto row = world.particles.handles.find(particle);
     if (!row) return std::nullopt;
+    remove_rigid_pin(world, particle, *row);
     const auto position = world.particles.position[*row];
     constexpr auto max = limit::measure<Real>;
     world.pins.push_back({.particle = particle,
@@ -214,6 +318,11 @@ template <int D, class Real> std::size_t unpin_all(World<D, Real>& world, Partic
     template std::size_t remove_constraints(World<D, Real>&, std::span<const ConstraintId>);                           \
     template bool drive(World<D, Real>&, const ConstraintId&, Real);                                                   \
     template bool set_max_force(World<D, Real>&, const ConstraintId&, Real);                                           \
+    template bool set_limits(World<D, Real>&, const ConstraintId&, const Interval<Real>&);                             \
+    template bool set_compliance(World<D, Real>&, const ConstraintId&, Real);                                          \
+    template bool set_breaking_strain(World<D, Real>&, const ConstraintId&, Real);                                     \
+    template bool set_break_force(World<D, Real>&, const ConstraintId&, Real);                                         \
+    template bool set_radius(World<D, Real>&, ParticleId, Real);                                                       \
     template std::optional<Vec<D, Real>> position_of(const World<D, Real>&, ParticleId);                               \
     template std::optional<Vec<D, Real>> velocity_of(const World<D, Real>&, ParticleId);                               \
     template bool set_position(World<D, Real>&, ParticleId, const Vec<D, Real>&);                                      \

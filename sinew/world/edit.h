@@ -52,6 +52,7 @@ template <class Real> struct ConstraintSpec {
     Real max_force = std::numeric_limits<Real>::infinity(); ///< largest force, newtons (N m for angles)
     Real damping_time = 0; ///< damping time of a compliant constraint, seconds: force = k (C + damping_time dC/dt)
     Real breaking_strain = std::numeric_limits<Real>::infinity();
+    Real break_force = std::numeric_limits<Real>::infinity(); ///< newtons (N m for angles) borne without tearing
     Real damage_limit = 0; ///< damage limit: excess strain times time borne before tearing
     FigureIndex figure = no_figure;
 };
@@ -67,6 +68,7 @@ template <class To, class From> ConstraintSpec<To> cast(const ConstraintSpec<Fro
             .max_force = To(spec.max_force),
             .damping_time = To(spec.damping_time),
             .breaking_strain = To(spec.breaking_strain),
+            .break_force = To(spec.break_force),
             .damage_limit = To(spec.damage_limit),
             .figure = spec.figure};
 }
@@ -105,8 +107,9 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
 /// removed.
 template <int D, class Real> std::size_t remove_particles(World<D, Real>& world, std::span<const ParticleId> ids);
 
-/// Adds a constraint of the kind numbered `kind` over `members`. Returns nothing if a member is gone or named twice, or
-/// if the number of members is not the kind's.
+/// Adds a constraint of the kind numbered `kind` over `members`. Returns nothing if a member is gone or named twice, if
+/// the number of members is not the kind's, or if the limits are impossible: an angle in 3D has no sign, so none of its
+/// limits is negative.
 template <int D, class Real>
 std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std::span<const ParticleId> members,
                                            const ConstraintSpec<Real>& spec);
@@ -127,11 +130,19 @@ void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId,
 /// Returns the number of constraints removed.
 template <int D, class Real> std::size_t remove_constraints(World<D, Real>& world, std::span<const ConstraintId> ids);
 
-/// Moves the limits of a constraint at a rate (m/s, rad/s): a winch, a motor. Under a load beyond max_force a length
-/// slips: its limits never run ahead of its measure. False for an unknown id or a NaN rate.
+/// Moves the limits of a constraint at a rate (m/s, rad/s): a winch, a motor. Under a load beyond max_force the limits
+/// slip: they never run ahead of the measure, so a stalled motor stores nothing. False for an unknown id, a NaN rate,
+/// or a motor of unlimited force beside a rigid limit on the same particles, which nothing could satisfy.
 template <int D, class Real> bool drive(World<D, Real>& world, const ConstraintId& id, Real rate);
 /// Changes max_force: a motor tires. 0 releases the constraint. False for an unknown id or a NaN force.
 template <int D, class Real> bool set_max_force(World<D, Real>& world, const ConstraintId& id, Real max_force);
+/// Change the limits of a constraint, its compliance, or what it bears before it tears; infinity: it never tears. False
+/// for an unknown id, a NaN, or limits that no constraint of the kind can have.
+template <int D, class Real>
+bool set_limits(World<D, Real>& world, const ConstraintId& id, const Interval<Real>& limits);
+template <int D, class Real> bool set_compliance(World<D, Real>& world, const ConstraintId& id, Real compliance);
+template <int D, class Real> bool set_breaking_strain(World<D, Real>& world, const ConstraintId& id, Real strain);
+template <int D, class Real> bool set_break_force(World<D, Real>& world, const ConstraintId& id, Real force);
 
 /// Measure and load of a constraint.
 struct ConstraintState {
@@ -153,12 +164,16 @@ template <int D, class Real> std::optional<Vec<D, Real>> velocity_of(const World
 template <int D, class Real> bool set_position(World<D, Real>& world, ParticleId id, const Vec<D, Real>& position);
 template <int D, class Real> bool set_velocity(World<D, Real>& world, ParticleId id, const Vec<D, Real>& velocity);
 template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id, Real mass);
+/// Changes the collision radius. False for an unknown id or a NaN.
+template <int D, class Real> bool set_radius(World<D, Real>& world, ParticleId id, Real radius);
 
 /// Adds a force, newtons, for the next step; calls accumulate.
 template <int D, class Real> bool apply_force(World<D, Real>& world, ParticleId id, const Vec<D, Real>& force);
 /// Changes the momentum at once, newton seconds.
 template <int D, class Real> bool apply_impulse(World<D, Real>& world, ParticleId id, const Vec<D, Real>& impulse);
 
+/// Pins a particle. A particle that a rigid pin holds already is taken over: that pin is removed. Pins that are springs
+/// or have a maximum force act side by side.
 template <int D, class Real>
 std::optional<PinId> pin(World<D, Real>& world, ParticleId particle, const PinSpec<D, Real>& spec = {});
 /// Target of the pin at the end of the next step, approached in a straight line.
@@ -202,6 +217,9 @@ std::optional<ParticleId> find_particle(const World<D, Real>& world, std::string
 /// Particles of a path: one, or with a trailing star every particle of the figure with that prefix, in the order of
 /// construction: "bridge/joint_*". Empty if there is none.
 template <int D, class Real> std::vector<ParticleId> find_particles(const World<D, Real>& world, std::string_view path);
+/// Constraints of a path, likewise: "rope/link_*".
+template <int D, class Real>
+std::vector<ConstraintId> find_constraints(const World<D, Real>& world, std::string_view path);
 template <int D, class Real>
 std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::string_view path);
 template <int D, class Real> std::optional<FigureIndex> find_figure(const World<D, Real>& world, std::string_view name);

@@ -43,7 +43,7 @@ template <class ParticlesT, class Visit> void visit_particles(ParticlesT& partic
 
 template <class Table, class Visit> void visit_constraints(Table& table, Visit&& visit) {
     auto& [members, limits, multiplier, compliance, relaxation, split, max_force, damping_time, motor_speed, motorized,
-           breaking_strain, damage_limit, damage, figure, handles] = table;
+           breaking_strain, break_force, damage_limit, damage, figure, handles] = table;
     visit.enter(std::remove_const_t<Table>::Kind::name);
     visit.fixed("handles", handles);
     visit.fixed("members", members);
@@ -52,6 +52,7 @@ template <class Table, class Visit> void visit_constraints(Table& table, Visit&&
     visit.fixed("split", split);
     visit.fixed("damping_time", damping_time);
     visit.fixed("breaking_strain", breaking_strain);
+    visit.fixed("break_force", break_force);
     visit.fixed("damage_limit", damage_limit);
     visit.fixed("figure", figure);
     visit.moving("motorized", motorized);

@@ -1,6 +1,7 @@
 #include "sinew/world/edit.h"
 
 #include <set>
+#include <utility>
 
 /// Look-up by name.
 namespace sinew {
@@ -72,10 +73,31 @@ std::optional<ConstraintId> find_constraint(const World<D, Real>& world, std::st
     return id && constraint_state(world, *id) ? id : std::nullopt;
 }
 
+template <int D, class Real>
+std::vector<ConstraintId> find_constraints(const World<D, Real>& world, std::string_view path) {
+    if (const auto one = find_constraint(world, path)) return {*one};
+    auto [figure, stem] = split(world, path);
+    if (!figure || !stem.ends_with('*')) return {};
+    stem.remove_suffix(1);
+    std::set<std::pair<int, std::uint32_t>> named;
+    for (const auto& [name, id] : figure->constraint_names)
+        if (name.starts_with(stem)) named.insert({id.kind, id.id.index});
+    std::vector<ConstraintId> found;
+    const auto& built = figure->constraints;
+    for (std::size_t i = 0; i < built.size(); ++i) {
+        const ConstraintId id = built[i];
+        const bool matches = stem.empty() || named.contains({id.kind, id.id.index}) ||
+                             name_of(i, figure->constraint_numbers).starts_with(stem);
+        if (matches && constraint_state(world, id)) found.push_back(id);
+    }
+    return found;
+}
+
 #define SINEW_FIND(D, Real)                                                                                            \
     template std::optional<FigureIndex> find_figure(const World<D, Real>&, std::string_view);                          \
     template std::optional<ParticleId> find_particle(const World<D, Real>&, std::string_view);                         \
     template std::vector<ParticleId> find_particles(const World<D, Real>&, std::string_view);                          \
+    template std::vector<ConstraintId> find_constraints(const World<D, Real>&, std::string_view);                      \
     template std::optional<ConstraintId> find_constraint(const World<D, Real>&, std::string_view);
 
 SINEW_INSTANTIATE(SINEW_FIND)

@@ -1,5 +1,7 @@
 #include "sinew/world/query.h"
 
+#include "sinew/world/body_shape.h"
+
 namespace sinew {
 namespace {
 
@@ -22,6 +24,34 @@ template <int D, class Real> collide::Filter layers_of(const World<D, Real>& wor
 
 template <int D, class Real> void keep_first(std::optional<RayHit<D, Real>>& first, const RayHit<D, Real>& hit) {
     if (!first || hit.time < first->time) first = hit;
+}
+
+template <int D, class Real>
+void cast_at_lines(const World<D, Real>& world, const Vec<D, Real>& from, const Vec<D, Real>& displacement, Real radius,
+                   const collide::Filter& filter, std::optional<RayHit<D, Real>>& first) {
+    const auto& p = world.particles;
+    for (FigureIndex i = 0; i < world.figures.size(); ++i) {
+        const auto& figure = world.figures[i];
+        if (!figure.in_use() || !touch(filter, figure.filter)) continue;
+        BodyShape<D, Real>(world, figure).each_segment([&](Row a, Row b, Real thickness) {
+            const collide::Capsule<D, Real> line{{}, p.position[b] - p.position[a], thickness};
+            if (const auto impact = collide::sweep(line, from - p.position[a], displacement, radius))
+                keep_first(first, {.time = impact->time,
+                                   .point = p.position[a] + impact->surface.point,
+                                   .normal = impact->surface.normal,
+                                   .particle = p.handles.id_of(a),
+                                   .figure = i,
+                                   .line_end = p.handles.id_of(b)});
+        });
+    }
+}
+
+/// Some point of a shape that lines of figures do not meet: the whole shape is where it is.
+template <int D, class Real>
+Vec<D, Real> point_of(const collide::Shape<D, Real>& shape, const collide::Pose<D, Real>& pose) {
+    const auto box = collide::bounds(shape, pose);
+    const auto surface = collide::nearest(shape, pose, (box.low + box.high) * Real(0.5), box.huge);
+    return surface ? surface->point : pose.position;
 }
 
 } // namespace
@@ -61,8 +91,10 @@ std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D
             keep_first(first, {.time = impact->time,
                                .point = p.position[row] + impact->surface.point,
                                .normal = impact->surface.normal,
-                               .particle = p.handles.id_of(row)});
+                               .particle = p.handles.id_of(row),
+                               .figure = p.figure[row]});
     }
+    cast_at_lines(world, from, displacement, radius, filter, first);
     for (Row row = 0; row < world.colliders.size(); ++row) {
         const auto& collider = world.colliders[row];
         if (collider.is_sensor || !touch(filter, collider.filter)) continue;
@@ -104,6 +136,27 @@ std::vector<ConstraintId> overlapping_links(const World<D, Real>& world, const c
     return found;
 }
 
+template <int D, class Real>
+std::vector<FigureIndex> overlapping_figures(const World<D, Real>& world, const collide::Shape<D, Real>& shape,
+                                             const collide::Pose<D, Real>& pose) {
+    const auto& p = world.particles;
+    std::vector<FigureIndex> found;
+    for (FigureIndex i = 0; i < world.figures.size(); ++i) {
+        const auto& figure = world.figures[i];
+        if (!figure.in_use()) continue;
+        const BodyShape<D, Real> body(world, figure);
+        bool touches = body.solid_around(point_of(shape, pose)) != body.none;
+        for (const auto& id : figure.particles)
+            if (const auto row = p.handles.find(id); row && !touches)
+                touches = collide::nearest(shape, pose, p.position[*row], p.radius[*row]).has_value();
+        body.each_segment([&](Row a, Row b, Real radius) {
+            touches = touches || collide::nearest_to_segment(shape, pose, p.position[a], p.position[b], radius);
+        });
+        if (touches) found.push_back(i);
+    }
+    return found;
+}
+
 #define SINEW_QUERY(D, Real)                                                                                           \
     template std::optional<NearParticle<D, Real>> nearest_particle(const World<D, Real>&, const Vec<D, Real>&, Real);  \
     template std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>&, const Vec<D, Real>&, Real);          \
@@ -112,7 +165,9 @@ std::vector<ConstraintId> overlapping_links(const World<D, Real>& world, const c
     template std::vector<ParticleId> overlapping_particles(const World<D, Real>&, const collide::Shape<D, Real>&,      \
                                                            const collide::Pose<D, Real>&);                             \
     template std::vector<ConstraintId> overlapping_links(const World<D, Real>&, const collide::Shape<D, Real>&,        \
-                                                         const collide::Pose<D, Real>&);
+                                                         const collide::Pose<D, Real>&);                               \
+    template std::vector<FigureIndex> overlapping_figures(const World<D, Real>&, const collide::Shape<D, Real>&,       \
+                                                          const collide::Pose<D, Real>&);
 SINEW_INSTANTIATE(SINEW_QUERY)
 
 } // namespace sinew

@@ -30,13 +30,16 @@ std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>& world, const
 template <int D, class Real> struct RayHit {
     Real time = 0; ///< fraction of the motion, 0..1
     Vec<D, Real> point{}, normal{};
-    ParticleId particle{}; ///< of a particle
+    ParticleId particle{}; ///< of a particle, or the first end of a line
     ColliderId collider{}; ///< of a collider
     bool is_collider = false;
-    bool is_plane = false; ///< of World::bounds
+    bool is_plane = false;                ///< of World::bounds
+    FigureIndex figure = no_figure;       ///< of a particle or a line
+    std::optional<ParticleId> line_end{}; ///< of a line of a figure
 };
-/// First particle with a radius, collider other than a sensor, or plane of World::bounds that a sphere meets on its way
-/// from a point; radius 0 is a ray. Only what `filter` touches counts, and planes always do.
+/// First particle with a radius, line of a figure as it is drawn (the side of a crate, a limb), collider other than a
+/// sensor, or plane of World::bounds that a sphere meets on its way from a point; radius 0 is a ray. Only what `filter`
+/// touches counts, and planes always do.
 template <int D, class Real>
 std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from,
                                         const Vec<D, Real>& displacement, Real radius = 0, collide::Filter filter = {});
@@ -49,5 +52,10 @@ std::vector<ParticleId> overlapping_particles(const World<D, Real>& world, const
 template <int D, class Real>
 std::vector<ConstraintId> overlapping_links(const World<D, Real>& world, const collide::Shape<D, Real>& shape,
                                             const collide::Pose<D, Real>& pose);
+
+/// Figures that touch a shape with a particle or a line, or that enclose it, in the order of their indices.
+template <int D, class Real>
+std::vector<FigureIndex> overlapping_figures(const World<D, Real>& world, const collide::Shape<D, Real>& shape,
+                                             const collide::Pose<D, Real>& pose);
 
 } // namespace sinew

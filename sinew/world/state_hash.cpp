@@ -13,8 +13,10 @@ class Digest {
     std::uint64_t value() const { return hash_.value(); }
 
     template <int D, class Real> void add_but_target(const collide::Collider<D, Real>& collider) {
-        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name, tag] = collider;
+        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, belt, name, tag] =
+            collider;
         add(shape.index(), from, restitution, friction, filter.layers, filter.mask, one_way, is_sensor);
+        if (belt != Vec<D, Real>{}) add(belt);
         std::visit([&](const auto& held) { add_shape(held); }, shape);
     }
 
@@ -85,8 +87,10 @@ class Digest {
         add(position, rotation.number);
     }
     template <int D, class Real> void add_one(const collide::Collider<D, Real>& collider) {
-        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, name, tag] = collider;
+        const auto& [shape, from, target, restitution, friction, filter, one_way, is_sensor, belt, name, tag] =
+            collider;
         add(shape.index(), from, target, restitution, friction, filter.layers, filter.mask, one_way, is_sensor);
+        if (belt != Vec<D, Real>{}) add(belt);
         std::visit([&](const auto& held) { add_shape(held); }, shape);
     }
     template <int D, class Real> void add_shape(const collide::HalfSpace<D, Real>& plane) {
@@ -96,7 +100,7 @@ class Digest {
     template <int D, class Real> void add_shape(const collide::Capsule<D, Real>& capsule) {
         add(capsule.a, capsule.b, capsule.radius);
     }
-    template <int D, class Real> void add_shape(const collide::Box<D, Real>& box) { add(box.half); }
+    template <int D, class Real> void add_shape(const collide::Box<D, Real>& box) { add(box.half()); }
     template <class Real> void add_shape(const collide::Polygon<2, Real>& polygon) { add(polygon.corners); }
     template <class Real> void add_shape(const collide::Chain<2, Real>& chain) { add(chain.points, chain.is_closed); }
     template <class Real> void add_shape(const collide::Mesh<3, Real>& mesh) {
@@ -108,7 +112,11 @@ class Digest {
     }
 };
 
+/// Drives and break forces, of the rows that have one.
 template <class Table> void add_drives(const Table& table, Digest& digest) {
+    for (Row row = 0; row < table.size(); ++row)
+        if (table.break_force[row] < limit::measure<std::decay_t<decltype(table.low(row))>>)
+            digest.add(row, table.break_force[row]);
     for (Row row = 0; row < table.size(); ++row)
         if (table.gives(row) || table.damping_time[row] != 0 || table.motorized[row])
             digest.add(row, table.max_force[row], table.damping_time[row], table.motor_speed[row],
@@ -157,8 +165,11 @@ void add_figures(const std::vector<Figure>& figures, Digest& digest) {
         if (figures[i].cloth != ClothContactKind::spheres) digest.add(i, figures[i].cloth);
     for (std::size_t i = 0; i < figures.size(); ++i)
         if (figures[i].integrator) digest.add(i, *figures[i].integrator);
-    for (std::size_t i = 0; i < figures.size(); ++i)
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        if (figures[i].bounce != 0) digest.add(i, figures[i].bounce);
+        if (figures[i].wall_friction) digest.add(i, *figures[i].wall_friction);
         if (figures[i].internal_damping != 0) digest.add(i, figures[i].internal_damping);
+    }
 }
 
 /// Positions of the sleepers, by runs of rows.

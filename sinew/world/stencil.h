@@ -58,24 +58,33 @@ void make_room_for_widest(const World<D, Real>& world, std::vector<Vec<D, Real>>
     if (scratch.size() < 3 * widest) scratch.resize(3 * widest);
 }
 
-/// Measure of an angle modulo a whole turn: the value nearest to the middle of the limits. Other measures are
-/// unchanged.
+/// Measure of an angle modulo a whole turn: the value nearest to the middle of the limits; with one limit, to the value
+/// within the limits that is nearest to 0. Other measures are unchanged.
 template <class Kind, class Real> Real unwrap(Real measure, Real low, Real high) {
     if constexpr (Kind::period > 0) {
-        constexpr Real turn = Real(Kind::period);
-        const Real middle = clamp(Real(0.5) * (low + high), -Real(100) * turn, Real(100) * turn);
+        constexpr Real turn = Real(Kind::period), far = Real(1e5) * turn; // of no use beyond: rounding
+        const bool has_both = low >= -far && high <= far;
+        const Real middle = has_both ? Real(0.5) * (low + high) : clamp(clamp(Real(0), low, high), -far, far);
         return measure - turn * std::floor((measure - middle) / turn + Real(0.5));
     } else {
         return measure;
     }
 }
 
-/// Violation of the limits as a fraction of the violated limit; in radians for an angle. A limit of zero is never
-/// strained.
+/// True for limits that a measure can have. Angles in space have no sign.
+template <class Kind, class Real> bool are_possible(Real low, Real high) {
+    if constexpr (std::is_same_v<Kind, Angle<3>>)
+        return high >= Real(0) && (low >= Real(0) || low <= -limit::measure<float>);
+    return true;
+}
+
+/// Violation of the limits as a fraction of the violated limit; the violation itself for an angle, and for a limit of
+/// zero, which has no fractions.
 template <class Kind, class Real> Real strain(Real measure, Real low, Real high) {
     const Real unwrapped = unwrap<Kind>(measure, low, high);
     const Real nearest = clamp(unwrapped, low, high);
-    return (unwrapped - nearest) * inverse_or_zero(Kind::length_power > 0 ? absolute(nearest) : Real(1));
+    const bool is_relative = Kind::length_power > 0 && nearest != Real(0);
+    return (unwrapped - nearest) * inverse_or_zero(is_relative ? absolute(nearest) : Real(1));
 }
 
 } // namespace sinew::detail

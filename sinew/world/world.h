@@ -148,6 +148,7 @@ template <class KindT, class Real> struct Constraints {
     Column<Real> motor_speed;     ///< rate of the limits: a winch, a motor
     Column<char> motorized;       ///< 1 once drive() has set a rate
     Column<Real> breaking_strain; ///< strain beyond which the constraint tears; from limit::measure on never
+    Column<Real> break_force;     ///< force beyond which the constraint tears; from limit::measure on never
     Column<Real> damage_limit;    ///< damage limit: excess strain times time borne before tearing; 0: tears at once
     Column<Real> damage;          ///< damage so far, excess strain times time
     Column<FigureIndex> figure;
@@ -167,7 +168,12 @@ template <class KindT, class Real> struct Constraints {
         return max_force.any_of([](Real force) { return force < limit::measure<Real>; });
     }
     bool may_tear() const {
-        return breaking_strain.any_of([](Real strain) { return strain < limit::measure<Real>; });
+        constexpr auto is_set = [](Real bound) { return bound < limit::measure<Real>; };
+        return breaking_strain.any_of(is_set) || break_force.any_of(is_set);
+    }
+    /// True if the constraint can tear, by its strain or by its force.
+    bool may_tear(Row row) const {
+        return breaking_strain[row] < limit::measure<Real> || break_force[row] < limit::measure<Real>;
     }
     /// Allocates all the memory tearing needs.
     void expect_tears() {
@@ -186,6 +192,7 @@ template <class KindT, class Real> struct Constraints {
         visit(self.motor_speed);
         visit(self.motorized);
         visit(self.breaking_strain);
+        visit(self.break_force);
         visit(self.damage_limit);
         visit(self.damage);
         visit(self.figure);
@@ -297,7 +304,7 @@ inline constexpr int usual_substeps = 16;
 /// Sleep of bodies at rest, by island (physical mode).
 template <class Real> struct SleepRules {
     Real speed = 0; ///< speed below which a particle counts as at rest, length per time; 0: nothing falls asleep
-    Real delay = 0; ///< time at rest before an island falls asleep, time units
+    Real delay = Real(0.5); ///< time at rest before an island falls asleep, time units
 };
 
 template <class Real> struct Settings {

@@ -4,7 +4,7 @@
 /// word for each that is left out (CMakeLists.txt).
 ///
 ///     SINEW_INSTANTIATE(X)    X(D, Real) for every type of world: explicit instantiations
-///     SINEW_INSTANTIATE_2D(X) the same for those of two dimensions
+///     SINEW_INSTANTIATE_2D(X) the same for those of two dimensions, and SINEW_INSTANTIATE_3D(X) for those of three
 #ifdef SINEW_NO_WORLD_2_FLOAT
 #define SINEW_WORLD_2_FLOAT(X)
 #else
@@ -27,7 +27,8 @@
 #endif
 
 #define SINEW_INSTANTIATE_2D(X) SINEW_WORLD_2_FLOAT(X) SINEW_WORLD_2_DOUBLE(X)
-#define SINEW_INSTANTIATE(X) SINEW_INSTANTIATE_2D(X) SINEW_WORLD_3_FLOAT(X) SINEW_WORLD_3_DOUBLE(X)
+#define SINEW_INSTANTIATE_3D(X) SINEW_WORLD_3_FLOAT(X) SINEW_WORLD_3_DOUBLE(X)
+#define SINEW_INSTANTIATE(X) SINEW_INSTANTIATE_2D(X) SINEW_INSTANTIATE_3D(X)
 
 namespace sinew {
 namespace detail {

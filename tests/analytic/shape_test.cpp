@@ -87,7 +87,8 @@ template <class World> World swinging(typename World::Vector offset, double angl
     for (int i = 0; i < 6; ++i)
         p.push_back(add_particle(world, {.position = turned(0.3 * i, -0.1 * i * i / 5.0) + offset}));
     for (std::size_t i = 0; i < 5; ++i) add<Distance>(world, {p[i], p[i + 1]});
-    add<Angle>(world, {p[2], p[3], p[4]}, {.limits = between(Real(-0.3), Real(0.3)), .compliance = Real(1e-2)});
+    add<Angle>(world, {p[2], p[3], p[4]},
+               {.limits = between(Real(World::dimension == 2 ? -0.3 : 0), Real(0.3)), .compliance = Real(1e-2)});
     pin(world, p[0]);
     set_mass(world, p[5], Real(3));
     return world;

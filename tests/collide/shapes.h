@@ -45,7 +45,7 @@ template <int D> std::vector<Sample<D>> convex_shapes() {
         {Sphere<D, double>{0.7}, [](const V& p) { return norm(p) <= 0.7; }},
         {Capsule<D, double>{V::axis(0) * -0.8, V::axis(0) * 0.6, 0.4},
          [](const V& p) { return norm(p - V::axis(0) * clamp(p[0], -0.8, 0.6)) <= 0.4; }},
-        {Box<D, double>{V::map([](int i) { return 0.4 + 0.3 * i; })},
+        {Box<D, double>{V::map([](int i) { return 0.8 + 0.6 * i; })},
          [](const V& p) {
              for (int i = 0; i < D; ++i)
                  if (absolute(p[i]) > 0.4 + 0.3 * i) return false;

@@ -58,7 +58,7 @@ TEST(ChainShape, AClosedChainIsARoom) {
         EXPECT_TRUE((sweep<2, double>(room, {}, {{1, 0.5}}, way, 0.1)));
 }
 
-/// Surface of Box{half} as twelve triangles.
+/// Surface of Box{half * 2} as twelve triangles.
 Mesh<3, double> box_mesh(const V3& half) {
     std::vector<V3> corners;
     for (int i = 0; i < 8; ++i)
@@ -80,7 +80,7 @@ Mesh<3, double> box_mesh(const V3& half) {
 
 TEST(MeshShape, OfABoxIsAsFarAwayAsTheBox) {
     const V3 half{{0.4, 0.6, 0.9}};
-    const Shape<3, double> mesh = box_mesh(half), box = Box<3, double>{half};
+    const Shape<3, double> mesh = box_mesh(half), box = Box<3, double>{half * 2.0};
     Dice dice(7);
     for (int i = 0; i < 2000; ++i) {
         const auto pose = dice.pose<3>();
@@ -93,7 +93,7 @@ TEST(MeshShape, OfABoxIsAsFarAwayAsTheBox) {
 
 TEST(MeshShape, IsMetByWhatFallsOnIt) {
     const V3 half{{0.4, 0.6, 0.9}};
-    const Shape<3, double> mesh = box_mesh(half), box = Box<3, double>{half};
+    const Shape<3, double> mesh = box_mesh(half), box = Box<3, double>{half * 2.0};
     Dice dice(8);
     int met = 0;
     for (int i = 0; i < 2000; ++i) {

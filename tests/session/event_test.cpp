@@ -137,7 +137,7 @@ TEST(Grab, CarriesWhatIsNearAlongAndLetsGoOfAll) {
 
 TEST(Pointer, PullsWhatIsNearAlongAndLetsGoOfAll) {
     const std::string cloth =
-        R"("figures": [{"prefab": "cloth", "name": "c", "columns": 11, "rows": 11, "spacing": 6, "tethers": false}], )";
+        R"("figures": [{"prefab": "cloth", "name": "c", "columns": 11, "rows": 11, "spacing": 6, "tethers": false, "pins": "none"}], )";
     const auto pinned = [&](const std::string& pointer, double reach) {
         auto session = play(cloth + pointer + R"("seconds": 1)");
         const auto before = world_of(session).pins.size();

@@ -27,9 +27,7 @@ template <class World>
 ColliderId add_box(World& world, double width, double height, typename World::Vector position, double angle = 0,
                    ColliderOf<World> like = {}) {
     using Real = typename World::Real;
-    like.shape = BoxOf<World>{World::Vector::map([&](int i) {
-        return Real(i == 0 ? width / 2 : i == 1 ? height / 2 : 5);
-    })};
+    like.shape = BoxOf<World>{World::Vector::map([&](int i) { return Real(i == 0 ? width : i == 1 ? height : 10); })};
     like.target = {position, turned<World>(angle)};
     return add_collider(world, like);
 }
@@ -142,7 +140,7 @@ template <int D, class Real> std::vector<collide::Shape<D, Real>> thin_shapes() 
     using V = Vec<D, Real>;
     constexpr auto thin = Real(0.01);
     std::vector<collide::Shape<D, Real>> shapes = {
-        collide::Box<D, Real>{V::map([](int i) { return Real(i == 1 ? 0.01 : 3); })},
+        collide::Box<D, Real>{V::map([](int i) { return Real(i == 1 ? 0.02 : 6); })},
         collide::HalfSpace<D, Real>{V::axis(1), 0},
         collide::Capsule<D, Real>{V::axis(0) * Real(-3), V::axis(0) * Real(3), Real(0.01)},
     };
@@ -286,7 +284,7 @@ TYPED_TEST(Colliders, ABlowReportsItsImpulse) {
     for (int i = 0; i < 10; ++i) {
         step(world, Real(1.0 / 60));
         for (const auto& event : world.events)
-            if (event.type == EventType::touched) impulse = event.impulse;
+            if (event.type == EventType::touched) impulse = std::max(impulse, event.impulse);
     }
     EXPECT_NEAR(impulse, 12, 0.01 * 12);
 }

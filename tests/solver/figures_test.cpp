@@ -73,7 +73,7 @@ TEST(Figures, OthersKeepTheirIndicesNamesAndPieces) {
     EXPECT_EQ(again, b) << "the lowest index that is free";
     EXPECT_FALSE(figure_index(world, gone)) << "which its old handle does not know";
     EXPECT_EQ(find_particle(world, "d/top_left"), world.figures[again].particles[0]);
-    for (const auto index : {c, again, a}) EXPECT_TRUE(remove_figure(world, index));
+    for (const FigureIndex index : {c, again, a}) EXPECT_TRUE(remove_figure(world, index));
     EXPECT_TRUE(world.figures.empty());
     EXPECT_EQ(world.particles.size(), 0U);
     EXPECT_TRUE(world.sweep.empty());

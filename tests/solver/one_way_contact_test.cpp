@@ -15,7 +15,7 @@ TYPED_TEST_SUITE(OneWayContact, Everywhere, Names);
 template <int D, class Real> std::vector<collide::Shape<D, Real>> platforms() {
     using V = Vec<D, Real>;
     std::vector<collide::Shape<D, Real>> shapes = {
-        collide::Box<D, Real>{V::map([](int i) { return Real(i == 1 ? 0.1 : 3); })},
+        collide::Box<D, Real>{V::map([](int i) { return Real(i == 1 ? 0.2 : 6); })},
         collide::Capsule<D, Real>{V::axis(0) * Real(-3), V::axis(0) * Real(3), Real(0.1)},
     };
     if constexpr (D == 2) {
@@ -98,7 +98,7 @@ TEST(OneWayContactOfCrates, HoldsAStack) {
     FlatWorld<double> world;
     fall(world, 10);
     add_collider(world,
-                 collide::Collider<2, double>{.shape = collide::Box<2, double>{{{3, 0.1}}}, .one_way = {{0, 1}}});
+                 collide::Collider<2, double>{.shape = collide::Box<2, double>{{{6, 0.2}}}, .one_way = {{0, 1}}});
     std::vector<ParticleId> top;
     for (int i = 0; i < 5; ++i) top = add_crate(world, 0, 0.6 + i, 1, 1);
     run(world, 5);

@@ -243,7 +243,8 @@ TYPED_TEST(Queries, ARegionHoldsWhatIsWithinIt) {
     for (std::uint64_t i = 0; i < 60; ++i) {
         const auto pose = turned<TypeParam>(i);
         const auto half = at<Vector>(0.6, 0.3) + Vector::axis(D - 1) * Real(0.2);
-        const auto in_box = overlapping_particles(world, collide::Shape<D, Real>{collide::Box<D, Real>{half}}, pose);
+        const auto in_box =
+            overlapping_particles(world, collide::Shape<D, Real>{collide::Box<D, Real>{half * Real(2)}}, pose);
         const auto in_ball =
             overlapping_particles(world, collide::Shape<D, Real>{collide::Sphere<D, Real>{Real(0.7)}}, pose);
         const auto links = overlapping_links(world, collide::Shape<D, Real>{collide::Sphere<D, Real>{Real(0.7)}}, pose);

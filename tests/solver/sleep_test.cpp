@@ -147,8 +147,8 @@ TYPED_TEST(Sleepers, EveryEditWakes) {
 TYPED_TEST(Sleepers, AMovedPinAndAMovedColliderWake) {
     using Real = TypeParam;
     this->build(2, 2);
-    const auto table = add_collider(
-        this->world, {.shape = collide::Box<2, Real>{{{Real(0.5), Real(0.5)}}}, .target = {{{Real(1.05), Real(0.5)}}}});
+    const auto table =
+        add_collider(this->world, {.shape = collide::Box<2, Real>{{{1, 1}}}, .target = {{{Real(1.05), Real(0.5)}}}});
     const auto held = pin(this->world, this->crates[2][0], {.compliance = Real(1e-3)});
     run(this->world, 3);
     ASSERT_EQ(this->sleepers(), 4U);
@@ -203,7 +203,7 @@ TYPED_TEST(Sleepers, RunsRepeatToTheBit) {
 TYPED_TEST(Sleepers, TouchesGoOnInSleep) {
     using Real = TypeParam;
     this->build(1, 1);
-    add_collider(this->world, {.shape = collide::Box<2, Real>{{{1, Real(0.3)}}}, .is_sensor = true});
+    add_collider(this->world, {.shape = collide::Box<2, Real>{{{2, Real(0.6)}}}, .is_sensor = true});
     std::size_t events = 0;
     for (int i = 0; i < 300; ++i) {
         this->one_step();

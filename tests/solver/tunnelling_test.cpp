@@ -58,7 +58,7 @@ TYPED_TEST(Tunnelling, ALinkLiesOnTheEdgeOfACollider) {
     fall(world, 10);
     world.settings.damping = Real(0.5);
     constexpr double side = 0.4, radius = 0.03;
-    add_collider(world, collide::Collider<2, Real>{.shape = collide::Box<2, Real>{{{Real(side), Real(side)}}},
+    add_collider(world, collide::Collider<2, Real>{.shape = collide::Box<2, Real>{{{Real(2 * side), Real(2 * side)}}},
                                                    .friction = Real(0.5)});
     const auto rope = add_line<2, Real>(world, 8, {{-1, Real(0.6)}}, {{Real(0.25), 0}}, 0.1, radius);
     for (int i = 0; i < 360; ++i) {
@@ -232,7 +232,7 @@ TYPED_TEST(Tunnelling, ARopeSqueezedByAMovingBoxRecovers) {
         const auto rope = add_line<2, Real>(world, 10, {{-1, Real(radius)}}, {{Real(0.2), 0}}, 0.1, radius);
         if (!collides) set_contact(world, world.particles.figure[0], {});
         const auto box =
-            add_collider(world, collide::Collider<2, Real>{.shape = collide::Box<2, Real>{{{Real(0.45), Real(0.3)}}},
+            add_collider(world, collide::Collider<2, Real>{.shape = collide::Box<2, Real>{{{Real(0.9), Real(0.6)}}},
                                                            .target = {{{Real(0.07), Real(0.8)}}}});
         double fastest = 0;
         for (int i = 0; i < 360; ++i) {
@@ -281,7 +281,7 @@ TYPED_TEST(Tunnelling, AHandDoesNotDragAFigureThroughAWall) {
         FlatWorld<Real> world;
         add_ground(world);
         add_collider(
-            world, collide::Collider<2, Real>{.shape = collide::Box<2, Real>{{{Real(0.02), 2}}}, .target = {{{1, 1}}}});
+            world, collide::Collider<2, Real>{.shape = collide::Box<2, Real>{{{Real(0.04), 4}}}, .target = {{{1, 1}}}});
         const auto rope = add_line<2, Real>(world, 6, {{-1, Real(0.5)}}, {{Real(0.2), 0}}, 0.5, 0.03);
         if (!collides) set_contact(world, world.particles.figure[0], {});
         pin(world, rope.back(), PinSpec<2, Real>{.target = V2<Real>{{3, Real(0.7)}}, .max_force = Real(35000)});

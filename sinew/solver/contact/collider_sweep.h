@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/collide/moving_collider.h"
 #include "sinew/solver/contact/plane_contact.h"
 
 /// Contact of swept particles with colliders, in one substep.
@@ -43,15 +44,17 @@ template <int D, class Real> class ColliderSweep {
 
     void keep_out(std::uint32_t index, Row first, Row last) const {
         const auto& collider = world_.colliders[index];
-        const collide::MovingCollider<D, Real> moving(collider, from_, to_);
         for (Row slot = first; slot < last; ++slot) {
             const Row row = sweep_state_.row_of[slot];
             BoxT near;
             include(near, slot);
             const Real radius = world_.particles.radius[row];
+            const auto filter = filter_of(world_, row);
             if (sweep_state_.mobility[slot] == Real(0) || !touches_.boxes[index].overlaps(near.grown(radius)) ||
-                !touch(collider.filter, filter_of(world_, row)))
+                !touch(collider.filter, filter))
                 continue;
+            const collide::Cover<D, Real, Real> cover(world_.colliders, touches_.boxes, to_, filter);
+            const collide::MovingCollider<D, Real> moving(collider, from_, to_, mover_.h, cover);
             moving.contacts(sweep_state_.position_at(slot), mover_.point_at(slot), radius,
                             [&](const auto& contact) { resolve(index, slot, contact); });
         }
@@ -61,12 +64,15 @@ template <int D, class Real> class ColliderSweep {
         const auto& collider = world_.colliders[index];
         const auto& surface = contact.surface;
         Real stopped = 0;
+        const auto motion = sweep_state_.displacement_at(slot) - contact.surface_displacement;
+        const Real speed = -dot(surface.normal, motion) * mover_.per_h;
         if (!collider.is_sensor)
             stopped = contact_.keep_in(
                 {surface.normal, dot(surface.normal, surface.point), collider.restitution, collider.friction}, slot,
                 contact.surface_displacement, contact.begun_depth, index + 1);
         touches_.add(sweep_state_.row_of[slot], index,
-                     stopped * inverse_or_zero(sweep_state_.mobility[slot]) * mover_.per_h);
+                     stopped * inverse_or_zero(sweep_state_.mobility[slot]) * mover_.per_h,
+                     {surface.point, surface.normal, speed});
     }
 };
 

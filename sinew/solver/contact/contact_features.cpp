@@ -5,6 +5,7 @@
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/contact/face_features.h"
 #include "sinew/solver/contact/kept_contacts.h"
+#include "sinew/world/body_shape.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,15 +13,6 @@
 /// Features of figures that are near something.
 namespace sinew {
 namespace {
-
-/// Closed outlines and lines between particles are capsules; areas of cloth are spheres at the particles.
-bool has_segments(const Piece& piece) {
-    return !piece.hidden && (piece.mark == Mark::stroke || piece.mark == Mark::curve || piece.mark == Mark::limb ||
-                             piece.mark == Mark::loop || piece.mark == Mark::fill || piece.mark == Mark::ring);
-}
-bool is_closed(const Piece& piece) {
-    return piece.mark == Mark::loop || piece.mark == Mark::fill;
-}
 
 template <int D, class Real> class FeatureFinder {
   public:

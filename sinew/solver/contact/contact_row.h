@@ -40,14 +40,14 @@ template <int D, class Real> struct ContactOrigin {
     bool is_one_way = false; ///< the collider holds only what it held before, or comes from its front
 };
 
-/// Row of a wall while a body rebounds.
+/// Row of a wall while a body rebounds. Displacements are those along the normal in a substep.
 template <class Real> struct ReboundRow {
     std::uint32_t body = 0, part = 0, row = 0; ///< component of links; part, and index of the row in it
-    bool is_struck = false;
-    Real target = 0; ///< displacement along the normal in a substep, at least
-    Real begun = 0;  ///< multiplier before
-    Real change = 0; ///< displacement along the normal before
-    Real mass = 0;   ///< impulse per displacement, as the whole figure answers
+    Real added = 0;                            ///< displacement by half of the forces in the substep
+    Real before = 0;                           ///< displacement before the blow
+    Real target = 0;                           ///< displacement after it, at least
+    Real impulse = 0;                          ///< h newton seconds
+    Real mass = 0; ///< impulse per displacement, as the whole figure answers; 0: not known yet
 };
 
 /// Pair of features that may touch in a step. Particles are numbered first, then segments; first > second.

@@ -28,7 +28,7 @@ template <int D, class Real> class FigureContact {
           left_(h * Real(substeps - number + 1)), is_first_(number == 1), is_last_(number == substeps),
           drag_changes_(number <= 2), threads_(threads_for(state_.size(), solver.options.threads)) {}
 
-    /// After the prediction: rows, and the impulses of the last substep.
+    /// After the prediction: rows, the impulses of the last substep, and rebounds.
     void begin() {
         if (!is_active_) return;
         const Real scale = scale_kept();
@@ -40,6 +40,7 @@ template <int D, class Real> class FigureContact {
         });
         room().joints.begin(world_, state_, scale);
         room().projector.project_velocities(state_, threads_);
+        Rebounds<D, Real>(room(), state_, rows_, h_).run();
     }
 
     /// After the sweep.
@@ -59,14 +60,19 @@ template <int D, class Real> class FigureContact {
         note_sensed();
     }
 
-    /// After the particles have moved: velocities without the push out of overlaps, then rebounds.
+    /// After the particles have moved: velocities without the push out of overlaps.
     void relax() {
         if (!is_active_) return;
         room().projector.restore_energy(state_, threads_);
         room().joints.solve(state_, Soft::none());
-        each_part([&](Part& part) { rows_.solve(part, Soft::none(), Soft::none()); });
+        Rebounds<D, Real> rebounds(room(), state_, rows_, h_);
+        each_part([&](Part& part) {
+            for (std::size_t i = 0; i < part.rows.size(); ++i)
+                if (i < part.first_wall || !rebounds.awaits_blow(part.rows[i], part.origins[i]))
+                    rows_.solve(part.rows[i], Soft::none(), part.origins[i].surface_displacement);
+        });
         room().projector.project_velocities(state_, threads_);
-        Rebounds<D, Real>(room(), state_, rows_, square(h_) * norm(state_.gravity)).run();
+        rebounds.forget_blows();
         keep();
     }
 
@@ -163,9 +169,23 @@ template <int D, class Real> class FigureContact {
     FigureTouch touch_of(const RowT& row, const Origin& origin, const ContactCandidate& pair) {
         auto [first, one] = side_of(pair.first);
         auto [second, other] = side_of(pair.second);
-        if (second < first) std::swap(first, second), std::swap(one, other);
+        auto place = place_of(row, origin);
+        if (second < first) {
+            std::swap(first, second), std::swap(one, other);
+            for (auto& number : place.normal) number = -number;
+        }
         const double impulse = double(impulse_of(row, origin));
-        return {first, second, {one, other}, impulse, {.impulse = impulse}};
+        return {first, second, {one, other}, impulse, {.impulse = impulse}, place};
+    }
+    /// Between the nearest points of both features.
+    TouchPlace place_of(const RowT& row, const Origin& origin) const {
+        TouchPlace place{.speed = double(origin.approach / h_)};
+        Vector point{};
+        for (std::size_t i = 0; i < std::size_t(row.members); ++i)
+            point += state_.position_at(row.slot[i]) * (Real(0.5) * absolute(row.weight[i]));
+        for (int k = 0; k < D; ++k)
+            place.point[std::size_t(k)] = double(point[k]), place.normal[std::size_t(k)] = double(row.normal[k]);
+        return place;
     }
     /// Figure of a feature, and slot of its particle or of its first end.
     std::pair<FigureIndex, std::uint32_t> side_of(std::uint32_t feature) {
@@ -175,7 +195,12 @@ template <int D, class Real> class FigureContact {
         return {world_.particles.figure[row], world_.particles.handles.index_of(row)};
     }
     void note(const RowT& row, const Origin& origin) {
-        solver_.touches.add(state_.row_of[row.slot[0]], origin.collider, impulse_of(row, origin));
+        const Row first = state_.row_of[row.slot[0]];
+        Vector point{};
+        for (std::size_t i = 0; i < std::size_t(row.members); ++i)
+            point += state_.position_at(row.slot[i]) * row.weight[i];
+        point -= row.normal * (row.gap + world_.particles.radius[first]);
+        solver_.touches.add(first, origin.collider, impulse_of(row, origin), {point, row.normal, origin.approach / h_});
     }
 };
 

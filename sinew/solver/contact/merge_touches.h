@@ -21,7 +21,8 @@ inline void merge_touches(std::vector<FigureTouch>& touches) {
         }
         auto& united = touches[count - 1];
         united.strength.impulse += touch.strength.impulse;
-        if (touch.hardest > united.hardest) united.hardest = touch.hardest, united.particle = touch.particle;
+        if (touch.hardest > united.hardest)
+            united.hardest = touch.hardest, united.particle = touch.particle, united.place = touch.place;
     }
     touches.resize(count);
 }

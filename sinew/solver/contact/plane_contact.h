@@ -2,6 +2,7 @@
 
 #include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/contact/wall_surface.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/substep_mover.h"
 
@@ -17,9 +18,9 @@ template <int D, class Real> class PlaneContact {
           by_rows_(has_figure_contacts(solver) ? solver.contacts->by_rows.data() : nullptr) {}
 
     /// Non-penetration, and Coulomb friction, which shortens the tangential displacement relative to the surface by
-    /// friction times the normal correction. Approaches too fast for resting contact are recorded for rebound(), those
-    /// without restitution too: a blow is over at the end of a substep. `collider`: 1 + its index, or 0. Returns the
-    /// normal correction.
+    /// friction times the normal correction. An approach too fast for resting contact is a blow: what is left of the
+    /// substep after the impact is the way back. Blows are recorded for rebound(), those without restitution too: a
+    /// blow is over at the end of a substep. `collider`: 1 + its index, or 0. Returns the normal correction.
     Real keep_in(const HalfSpace<D, Real>& plane, Row slot, std::uint32_t collider) const {
         return keep_in(plane, slot, {}, std::nullopt, collider);
     }
@@ -28,31 +29,54 @@ template <int D, class Real> class PlaneContact {
                  std::optional<Real> begun, std::uint32_t collider) const {
         if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
         const Row row = swept_.row_of[slot];
+        const auto [restitution, friction] = surface_between(world_, row, plane);
         Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
         if (!(depth > Real(0))) return 0;
         if (!begun) begun = plane.depth_of(swept_.position_at(slot), p_.radius[row]);
+        const auto forced = forcing_on(world_, row, swept_.position_at(slot)).acceleration;
         if (*begun > Real(0)) {
-            depth -= depth_left(*begun, norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration), mover_.h);
+            depth -= depth_left(*begun, norm(forced), mover_.h);
             if (!(depth > Real(0))) return 0;
         }
         if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
+        auto& blows = swept_.blows[slot];
+        if (blows.count == 0) blows.displacement = swept_.displacement_at(slot);
+        const Real approach = dot(plane.normal, surface_displacement - blows.displacement);
+        const auto blow =
+            mover_.first_iteration ? blow_of(plane.normal, restitution, approach, *begun, forced) : std::nullopt;
         const RelativeMotion<D, Real> motion(plane.normal, swept_.displacement_at(slot) - surface_displacement);
-        const Real stopped = min(depth, mover_.furthest);
-        const Real slowed = coulomb_share(plane.friction * stopped, norm(motion.along));
+        const Real stopped = min(depth + (blow ? blow->departure : Real(0)), mover_.furthest);
+        const Real slowed = coulomb_share(friction * stopped, norm(motion.along));
         mover_.displace_at(slot, plane.normal * stopped - motion.along * slowed);
-        if (!mover_.first_iteration) return stopped;
-        const Real added = mover_.h * norm(forcing_on(world_, row, swept_.position_at(slot)).acceleration);
         const Real carried = dot(plane.normal, surface_displacement) * mover_.per_h;
-        const auto away = rebound_after(motion.approach * mover_.per_h, plane.restitution, added);
-        if (!away || *away + carried < Real(0)) return stopped;
-        auto& blow = swept_.blows[slot];
-        blow.away += plane.normal * max(least_speed, *away + carried);
-        blow.surface = surface_displacement * mover_.per_h, blow.friction = plane.friction, blow.collider = collider;
+        if (blow && blow->away * mover_.per_h + carried >= Real(0))
+            blows.add({plane.normal, blow->away * mover_.per_h + carried, stopped * mover_.per_h,
+                       surface_displacement * mover_.per_h, friction, collider});
         return stopped;
     }
 
   private:
-    static constexpr Real least_speed = Real(1e-9); ///< after a blow: tells the direction of one that leaves none
+    struct Blow {
+        Real away = 0;      ///< displacement in a substep after the blow
+        Real departure = 0; ///< from the surface at the end of the substep
+    };
+    /// A particle that begins the substep in front of the surface meets it after the share tau of it. Velocities are
+    /// those of the middle of the substep; with the displacement g that the forces add towards the surface
+    ///
+    ///     away = e approach + (1 + e) g (tau - 1/2),      departure = away (1 - tau) - g tau (1 - tau) / 2
+    ///
+    /// which keeps the energy for e = 1, whenever the impact comes.
+    std::optional<Blow> blow_of(const Vec<D, Real>& normal, Real restitution, Real approach, Real begun,
+                                const Vec<D, Real>& forced) const {
+        const auto away = rebound_after(approach, restitution, square(mover_.h) * norm(forced));
+        if (!away || *away == Real(0)) return away ? std::optional(Blow{}) : std::nullopt;
+        constexpr Real half = Real(0.5);
+        const Real tau = clamp(-begun / approach, Real(0), Real(1));
+        const Real added = -dot(normal, forced) * square(mover_.h);
+        const Real departing = max(Real(0), *away + (Real(1) + restitution) * added * (tau - half));
+        return Blow{departing, max(Real(0), (departing - half * added * tau) * (Real(1) - tau))};
+    }
+
     World<D, Real>& world_;
     Particles<D, Real>& p_;
     SweepState<D, Real>& swept_;

@@ -16,7 +16,7 @@ namespace sinew::detail {
 template <class Table> bool is_plain(const Table& table, Row row) {
     using Real = std::decay_t<decltype(table.relaxation[row])>;
     return table.is_rigid(row) && table.relaxation[row] == Real(1) && table.split[row] == Real(0.5) &&
-           !table.gives(row) && !table.motorized[row] && table.breaking_strain[row] >= limit::measure<Real>;
+           !table.gives(row) && !table.motorized[row] && !table.may_tear(row);
 }
 
 /// True for a plain distance of one length, or a rope that is only held from getting longer.
@@ -114,7 +114,7 @@ template <int D, class Real> struct RigidLinks {
             if (!moves_a && !moves_b) continue;
             if (!is_link(table, row)) {
                 swept[a] |= !is_plain(table, row), swept[b] |= !is_plain(table, row);
-                if (table.breaking_strain[row] < limit::measure<Real>) exact[a] = exact[b] = 0;
+                if (table.may_tear(row)) exact[a] = exact[b] = 0;
                 continue;
             }
             links.push_back({.row = row,

@@ -1,5 +1,6 @@
 #include "sinew/math/sort.h"
 #include "sinew/solver/contact/merge_touches.h"
+#include "sinew/solver/contact/sensed_bodies.h"
 #include "sinew/solver/phases.h"
 #include "sinew/world/asleep.h"
 
@@ -23,6 +24,13 @@ template <int D, class Real> ColliderId id_of(const World<D, Real>& world, std::
     return is_plane(slot) ? ColliderId{.index = slot} : handles.id_of(handles.row_at(slot));
 }
 
+template <class Place> TouchPlace place_of(const Place& place) {
+    TouchPlace wide{.speed = double(place.speed)};
+    for (std::size_t i = 0; i < place.point.component.size(); ++i)
+        wide.point[i] = double(place.point[int(i)]), wide.normal[i] = double(place.normal[int(i)]);
+    return wide;
+}
+
 /// Pairs of a particle and a collider in the step, in order. Particles asleep touch the same as before.
 template <int D, class Real> void list_touches(World<D, Real>& world, ColliderTouches<D, Real>& touches) {
     auto& touching = world.contacts.touching;
@@ -32,7 +40,8 @@ template <int D, class Real> void list_touches(World<D, Real>& world, ColliderTo
             if (touch.collider != 0)
                 touching.push_back({world.particles.handles.index_of(row),
                                     slot_of(world, touch.collider - 1),
-                                    {.impulse = double(touch.impulse)}});
+                                    {.impulse = double(touch.impulse)},
+                                    place_of(touch.place)});
     for (const auto& pair : touches.before)
         if (is_asleep(world.particles, pair.particle) && is_there(world, pair.collider)) touching.push_back(pair);
     sinew::sort(touching.begin(), touching.end());
@@ -127,6 +136,8 @@ template <int D, class Real> void end_touches(World<D, Real>& world, Solver<D, R
     if (!world.colliders.empty() || lists_planes(world) || !contacts.touching.empty()) {
         if (world.colliders.empty() && !lists_planes(world)) touches.begin(0, 0);
         std::swap(contacts.touching, touches.before);
+        if (std::ranges::any_of(world.colliders, [](const auto& collider) { return collider.is_sensor; }))
+            detail::SensedBodies<D, Real>(world, touches).note();
         list_touches(world, touches);
         compare(world, contacts.touching, touches.before);
         for (auto& collider : world.colliders) collider.from = collider.target;

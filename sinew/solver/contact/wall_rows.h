@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/collide/moving_collider.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/row_writer.h"
 
@@ -32,9 +33,14 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
     }
 
   private:
+    using CoverT = collide::Cover<D, Real, Real>;
     const ColliderTouches<D, Real>& touches_;
     Real from_, to_;
 
+    template <class Wall> void rub(ContactRowT& row, Origin& origin, Row p, const Wall& wall) const {
+        const auto surface = surface_between(world_, p, wall);
+        row.friction = surface.friction, origin.restitution = surface.restitution;
+    }
     std::uint32_t id(Row row) const { return p_.handles.index_of(row); }
     Real margin(Row row) const { return margin(p_.radius[row], norm(state_.gravity), h_); }
 
@@ -53,7 +59,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
             row.gap = dot(plane.normal, from) - plane.offset - p_.radius[p];
             if (lists_planes(world_)) origin.collider = std::uint32_t(world_.colliders.size()) + i;
             origin.deep = share_of_deep * p_.radius[p];
-            row.friction = plane.friction, origin.restitution = plane.restitution;
+            rub(row, origin, p, plane);
             take(row, state_.slot_of[p], Real(1));
             add(row, origin, key);
         }
@@ -70,7 +76,8 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         if (collider.is_sensor || !touches_.boxes[index].overlaps(near.grown(within)) ||
             !touch(collider.filter, filter_of(world_, p)))
             return;
-        const collide::MovingCollider<D, Real> moving(collider, from_, to_);
+        const CoverT cover(world_.colliders, touches_.boxes, to_, filter_of(world_, p));
+        const collide::MovingCollider<D, Real> moving(collider, from_, to_, h_, cover);
         moving.contacts(from, to, radius, margin(p), [&](const auto& contact) {
             const auto& surface = contact.surface;
             ContactRowT row;
@@ -84,7 +91,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
             origin.surface_displacement = contact.surface_displacement;
             row.gap = dot(surface.normal, from - surface.point + contact.surface_displacement) - radius;
             origin.deep = share_of_deep * radius;
-            row.friction = collider.friction, origin.restitution = collider.restitution;
+            rub(row, origin, p, collider);
             take(row, state_.slot_of[p], Real(1));
             add(row, origin, key);
         });
@@ -100,20 +107,73 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         near.include(b);
         if (!touches_.boxes[index].overlaps(near.grown(within)) || !touch(collider.filter, filter_of(world_, s.a)))
             return;
+        const auto before = collider.pose_at(from_);
+        auto found = collide::nearest_to_segment(collider.shape, before, a, b, within);
+        if (!found) return;
+        if (!collider.is_sensor) {
+            const auto surface = exposed(s, collider, before, found->surface);
+            if (!surface) return;
+            found->surface = *surface;
+            if (add_rows_over_face(s, index, before, *found)) return;
+        }
+        if (found->t > Real(0) && found->t < Real(1)) add_link_row(s, index, *found, 0);
+    }
+    /// Part of the contact of a link with a solid that no other collider covers.
+    std::optional<collide::SurfacePoint<D, Real>> exposed(const ContactSegment& s,
+                                                          const collide::Collider<D, Real>& collider,
+                                                          const collide::Pose<D, Real>& pose,
+                                                          const collide::SurfacePoint<D, Real>& surface) const {
+        const CoverT cover(world_.colliders, touches_.boxes, from_, filter_of(world_, s.a));
+        const Real radius = min(p_.radius[s.a], p_.radius[s.b]);
+        const collide::SurfacePoint<D, Real> local{pose.to_local(surface.point), pose.turn_back(surface.normal),
+                                                   surface.distance, surface.feature};
+        const auto left = std::visit(
+            [&](const auto& shape) { return cover.exposed(collider, shape, pose, local, radius); }, collider.shape);
+        return left ? std::optional(collide::to_world(pose, *left)) : std::nullopt;
+    }
+    /// A link along a flat face of a solid touches it at both ends of the part above it, across the link; ends of the
+    /// link have rows of their own. False for a link above a corner, or another shape.
+    bool add_rows_over_face(const ContactSegment& s, std::uint32_t index, const collide::Pose<D, Real>& pose,
+                            const collide::SegmentApproach<D, Real>& found) {
+        const auto a = position(s.a), b = position(s.b);
+        const auto over = std::visit(
+            [&]<class Held>(const Held& shape) -> std::optional<collide::SegmentOverFace<D, Real>> {
+                if constexpr (requires { shape.over_face(a, b, a); })
+                    return shape.over_face(pose.to_local(a), pose.to_local(b), pose.turn_back(found.surface.normal));
+                else
+                    return std::nullopt;
+            },
+            world_.colliders[index].shape);
+        if (!over || !(over->low <= over->high)) return false;
+        const auto face = pose.turn(over->normal), along = direction(b - a);
+        const auto normal = direction(face - along * dot(face, along));
+        for (const Real t : {over->low, over->high}) {
+            const auto point = a + (b - a) * t;
+            const Real height = dot(face, point - pose.position) - over->offset;
+            if (t > Real(0) && t < Real(1))
+                add_link_row(s, index, {t, {point - face * height, normal, height * dot(face, normal), 0}},
+                             t == over->low ? 0 : 1);
+        }
+        return true;
+    }
+    /// Row of the point t of a link, with a number among those of the link and the collider.
+    void add_link_row(const ContactSegment& s, std::uint32_t index, const collide::SegmentApproach<D, Real>& found,
+                      std::uint32_t number) {
+        const auto& collider = world_.colliders[index];
         const auto before = collider.pose_at(from_), after = collider.pose_at(to_);
-        const auto found = collide::nearest_to_segment(collider.shape, before, a, b, within);
-        if (!found || !(found->t > Real(0)) || !(found->t < Real(1))) return;
         ContactRowT row;
         Origin origin;
         const ContactKey key{.particle = {id(s.a), id(s.b), ContactKey::none, ContactKey::none},
-                             .collider = world_.collider_handles.index_of(index)};
+                             .collider = world_.collider_handles.index_of(index),
+                             .feature = number};
         origin.collider = index;
-        row.normal = found->surface.normal;
-        origin.surface_displacement = after.to_world(before.to_local(found->surface.point)) - found->surface.point;
-        row.gap = found->surface.distance - radius;
-        row.friction = collider.friction, origin.restitution = collider.restitution;
-        take(row, state_.slot_of[s.a], Real(1) - found->t);
-        take(row, state_.slot_of[s.b], found->t);
+        row.normal = found.surface.normal;
+        origin.surface_displacement = after.to_world(before.to_local(found.surface.point)) - found.surface.point +
+                                      collider.belt_velocity(after, row.normal) * h_;
+        row.gap = found.surface.distance - min(p_.radius[s.a], p_.radius[s.b]);
+        rub(row, origin, s.a, collider);
+        take(row, state_.slot_of[s.a], Real(1) - found.t);
+        take(row, state_.slot_of[s.b], found.t);
         origin.is_one_way = collider.one_way != Vector{};
         if (origin.is_one_way && !is_held_one_way(s, row, origin, key)) return;
         if (collider.is_sensor) return sense(row, origin);

@@ -22,7 +22,10 @@ template <int D, class Real> class BackwardEulerStep {
             found = substep_.run(Rule::backward_euler, substep_.many) && due() >= 0;
         }
         if (!found) creep();
-        if (substep_.contact().near() || !state_.works_alone() || state_.block.springy)
+        // A cable with an end at a wheel has no solution: its leg has no direction there. Velocities other than those
+        // of the way made would stay as they were on arrival.
+        const bool is_at_wheel = !found && state_.block.ways > 0;
+        if (is_at_wheel || substep_.contact().near() || !state_.works_alone() || state_.block.springy)
             substep_.take_mean_velocities();
         else
             keep_flying();
@@ -30,7 +33,7 @@ template <int D, class Real> class BackwardEulerStep {
         substep_.project_velocities();
         substep_.report_rebounds();
         energy_.keep_momentum();
-        give_back();
+        if (!is_at_wheel) give_back();
         substep_.note_lost(due() - solve_.kinetic());
         return true;
     }

@@ -188,7 +188,7 @@ template <int D, class Real> class BlockContact {
         for (const auto& node : state_.unknowns())
             planes_.each(node, [&](const Plane& plane) {
                 if (plane.collider != planes_.none && depth(node, plane) > 0)
-                    planes_.note(plane.collider, node.row, max(impulse(node, plane), 0.0));
+                    planes_.note(node, plane, max(impulse(node, plane), 0.0));
             });
     }
 

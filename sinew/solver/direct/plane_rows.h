@@ -30,20 +30,24 @@ template <int D, class Real> class BlockPlanes {
     template <class Visit> void each(const BlockNode<D>& node, Visit&& visit) const {
         const bool lists = lists_planes(world_);
         for (std::size_t i = 0; i < world_.bounds.size(); ++i) {
-            const auto wall = world_.bounds[i].template as<double>();
+            auto wall = world_.bounds[i].template as<double>();
+            rub(wall, node.row, world_.bounds[i]);
             const double begun = wall.depth_of(node.start, double(world_.particles.radius[node.row]));
             visit(eased(node, {wall, {}, lists ? std::uint32_t(world_.colliders.size() + i) : none}, begun));
         }
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
             if (!is_near(i, node, 0)) continue;
             const auto& collider = world_.colliders[i];
-            const collide::MovingCollider<D, Real, double> moving(collider, state_.from(), state_.to());
+            const collide::Cover<D, Real, double> cover(world_.colliders, state_.touches.boxes, state_.to(),
+                                                        filter_of(world_, node.row));
+            const collide::MovingCollider<D, Real, double> moving(collider, state_.from(), state_.to(),
+                                                                  state_.substep(), cover);
             moving.contacts(node.start, node.position, double(world_.particles.radius[node.row]), 0.0,
                             [&](const auto& contact) {
                                 if (!contact.begins_in_front && !has_touched(i, node.row)) return;
                                 note(i, node.row, 0);
                                 if (!collider.is_sensor)
-                                    visit(eased(node, plane_of(collider, contact, i), contact.begun_depth));
+                                    visit(eased(node, plane_of(collider, contact, i, node.row), contact.begun_depth));
                             });
         }
     }
@@ -58,7 +62,7 @@ template <int D, class Real> class BlockPlanes {
             if (collider.is_at_rest() &&
                 !collide::nearest(collider.shape, collider.target, cast<Real>(node.position), within))
                 continue;
-            if (!collider.is_at_rest()) state_.be_motorized();
+            if (collider.is_driven()) state_.be_motorized();
             found = true;
         }
         return found;
@@ -67,6 +71,13 @@ template <int D, class Real> class BlockPlanes {
     /// Reports the impulse of a collider on a particle, newton seconds.
     void note(std::uint32_t collider, Row row, double impulse) const {
         state_.touches.add(row, collider, Real(impulse));
+    }
+    void note(const BlockNode<D>& node, const Plane& plane, double impulse) const {
+        const auto normal = cast<Real>(plane.normal);
+        const auto point = node.position - plane.normal * (dot(plane.normal, node.position) - plane.offset);
+        const auto surface = cast<Real>(plane.surface_displacement * (1 / state_.substep()));
+        state_.touches.add(node.row, plane.collider, Real(impulse),
+                           {cast<Real>(point), normal, dot(normal, surface - world_.particles.velocity[node.row])});
     }
 
   private:
@@ -97,12 +108,16 @@ template <int D, class Real> class BlockPlanes {
             ColliderTouch{world_.particles.handles.index_of(row), world_.collider_handles.index_of(collider)});
     }
 
-    static Plane plane_of(const collide::Collider<D, Real>& collider,
-                          const collide::ColliderContact<D, double>& contact, std::uint32_t index) {
+    Plane plane_of(const collide::Collider<D, Real>& collider, const collide::ColliderContact<D, double>& contact,
+                   std::uint32_t index, Row row) const {
         const auto& [point, normal, distance, feature] = contact.surface;
-        return {{normal, dot(normal, point), double(collider.restitution), double(collider.friction)},
-                contact.surface_displacement,
-                index};
+        Plane plane{{normal, dot(normal, point), 0, 0}, contact.surface_displacement, index};
+        rub(plane, row, collider);
+        return plane;
+    }
+    template <class Wall> void rub(HalfSpace<D, double>& plane, Row row, const Wall& wall) const {
+        const auto surface = surface_between(world_, row, wall);
+        plane.restitution = double(surface.restitution), plane.friction = double(surface.friction);
     }
 };
 

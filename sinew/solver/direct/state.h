@@ -3,6 +3,7 @@
 #include "sinew/assert/assert.h"
 #include "sinew/math/decay.h"
 #include "sinew/solver/block.h"
+#include "sinew/solver/direct/angle_geometry.h"
 #include "sinew/solver/direct/cable_geometry.h"
 #include "sinew/solver/direct/tensions.h"
 #include "sinew/solver/phases.h"
@@ -107,7 +108,10 @@ template <int D, class Real> class BlockState {
             particles.velocity[node.row] = cast<Real>(clamp_components(node.velocity, fastest));
         }
         for (auto& link : links()) link.before = kept(link);
-        for (auto& bend : bends()) bend.before = kept(bend);
+        for (auto& bend : bends()) {
+            if (bend.slips && bend.is_motor) slip(bend);
+            bend.before = kept(bend);
+        }
         for (auto& way : ways()) {
             if (way.slips) slip(way);
             way.before = kept(way);
@@ -130,6 +134,8 @@ template <int D, class Real> class BlockState {
     /// Stores the tensions as multipliers of a substep of the given length, and limits moved by slipping.
     void report_tensions(double substep) {
         tensions().report(substep);
+        for (const auto& bend : bends())
+            if (bend.is_motor && bend.gives()) tell_limits(bend, angles_, bend.constraint);
         for (const auto& way : ways()) {
             multiplier_of(way) = BlockTensions<D, Real>::multiplier(way.before, substep);
             if (!way.gives()) continue;
@@ -165,6 +171,7 @@ template <int D, class Real> class BlockState {
         drive.max = double(table.max_force[row]);
         drive.damping_time = double(table.damping_time[row]);
         drive.motor_speed = double(table.motor_speed[row]);
+        drive.is_motor = table.motorized[row] != 0;
         drive.low_begun = double(table.low(row));
         drive.high_begun = double(table.high(row));
     }
@@ -193,6 +200,14 @@ template <int D, class Real> class BlockState {
         const double error = way.error_of(length), spring = way.max_stretch();
         const double by = error - clamp(error, -spring, spring);
         for (double* end : {&way.low_begun, &way.high_begun})
+            if (absolute(*end) < limit::measure<double>) *end += by;
+    }
+    /// Moves the limits of a motor to the angle reached.
+    void slip(AngleRow<D>& bend) {
+        const double error = bend.error_of(AngleGeometry<D>(blocks).angle_of(bend, false));
+        const double spring = bend.max * bend.compliance;
+        const double by = error - clamp(error, -spring, spring);
+        for (double* end : {&bend.low_begun, &bend.high_begun})
             if (absolute(*end) < limit::measure<double>) *end += by;
     }
     template <class Table> static void tell_limits(const BlockDrive& drive, Table& table, Row row) {

@@ -75,11 +75,11 @@ template <int D, class Real> class AloneFinder {
     }
 
     /// After an edit: a body joined from one that is near and one that is not is near. Of bodies that no block could
-    /// solve, the particles that collide always are.
+    /// solve, the particles that collide always are; and rods are where there are walls, which their links lie on.
     void take_over() {
         for (Row row = 0; row < p_.size(); ++row)
             if (const auto at = room_.index_of[room_.all.body_of[row]]; at == none || !may_be_block(at))
-                mark(row, collides(row));
+                mark(row, collides(row) || (room_.is_rod[room_.all.body_of[row]] && has_walls(world_)));
         for (std::size_t i = 0; i < room_.bodies.size(); ++i) {
             if (!may_be_block(i)) continue;
             const auto count = std::ranges::count_if(rows_of(i), [&](Row row) { return p_.near[row] != 0; });
@@ -87,9 +87,26 @@ template <int D, class Real> class AloneFinder {
         }
         mark_attached();
     }
+    /// Velocities of blocks are those at the end of a substep, and those of the sweep are in its middle: a body that
+    /// changes hands would gain or lose half of what the forces add in a substep.
     void set(std::size_t i, bool near) {
-        for (const Row row : rows_of(i)) p_.near.set(row, char(near));
+        const bool shifts = world_.last_substep > Real(0) && is_unheld(i);
+        for (const Row row : rows_of(i)) {
+            if (shifts && (p_.near[row] != 0) != near && p_.mobility[row] > Real(0))
+                p_.velocity[row] +=
+                    forcing_on(world_, row).acceleration * (world_.last_substep * Real(near ? -0.5 : 0.5));
+            p_.near.set(row, char(near));
+        }
         world_.journal.touch(p_.handles.index_of(first(i)), Touch::joined);
+    }
+    /// True for a body that no pin and nothing immovable holds: the forces alone accelerate it.
+    bool is_unheld(std::size_t i) const {
+        const auto body = room_.bodies[i];
+        return std::ranges::none_of(room_.all.attached, [&](const auto& end) { return end.body == body; }) &&
+               std::ranges::none_of(world_.pins, [&](const auto& pin) {
+                   const auto row = p_.handles.find(pin.particle);
+                   return row && room_.all.body_of[*row] == body;
+               });
     }
     void mark(Row row, bool near) {
         if ((p_.near[row] != 0) == near) return;

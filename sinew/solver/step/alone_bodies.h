@@ -15,6 +15,7 @@ template <int D, class Real> struct AloneRoom {
     SleepRoom<D, Real> all;     ///< all bodies
     bool is_listed = false;     ///< for the preparation that is due
     std::vector<char> collides; ///< per body: touches other figures
+    std::vector<char> is_rod;   ///< per body: a single rigid link, too short for a block
     std::vector<char> is_plain; ///< per body: of rigid links alone and like masses, which rows of contact hold exactly
     std::vector<std::array<Real, 2>> mobilities; ///< per body: least and most, 1/kg
     std::vector<char> may_be_block;              ///< per body
@@ -70,8 +71,8 @@ template <int D, class Real> class AloneBodyFinder {
         });
         if (may_tear) room_.all.attached.reserve(2 * constraints);
         const auto count = may_tear ? p_.size() : room_.all.bodies.size();
-        for (auto* flags : {&room_.collides, &room_.is_plain, &room_.may_be_block, &room_.is_near, &room_.is_pulled,
-                            &room_.is_buried})
+        for (auto* flags : {&room_.collides, &room_.is_rod, &room_.is_plain, &room_.may_be_block, &room_.is_near,
+                            &room_.is_pulled, &room_.is_buried})
             flags->reserve(count);
         for (auto* numbers : {&room_.bodies, &room_.index_of, &room_.colliding, &room_.order, &room_.met})
             numbers->reserve(count);
@@ -122,6 +123,10 @@ template <int D, class Real> class AloneBodyFinder {
         room_.may_be_block.assign(bodies.size(), 0);
         for (std::size_t i = 0; i < bodies.size(); ++i)
             room_.may_be_block[i] = is_candidate(i) && eligibility.worthwhile(room_.parts[i]);
+        room_.is_rod.assign(bodies.size(), 0);
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            room_.is_rod[i] = bodies[i].is_movable && room_.is_plain[i] && !room_.may_be_block[i] &&
+                              room_.parts[i].particles == 2 && room_.parts[i].links == 1;
         room_.any_may_be_block =
             std::find(room_.may_be_block.begin(), room_.may_be_block.end(), 1) != room_.may_be_block.end();
     }

@@ -1,3 +1,4 @@
+#include "sinew/collide/moving_collider.h"
 #include "sinew/solver/contact/collider_sweep.h"
 #include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/phases.h"
@@ -68,7 +69,8 @@ template <int D, class Real> class ClassicWalls {
 
     /// A collider is a wall at each contact, where it will be at the end of the step.
     void hit(const collide::Collider<D, Real>& collider, std::uint32_t index) {
-        const collide::MovingCollider<D, Real> moving(collider, Real(1), Real(1));
+        const collide::Cover<D, Real, Real> nothing({}, {}, Real(1), {}); // as in the originals
+        const collide::MovingCollider<D, Real> moving(collider, Real(1), Real(1), Real(0), nothing);
         for (Row row = 0; row < p_.size(); ++row) {
             if (!(p_.mobility[row] > Real(0)) || !touch(collider.filter, detail::filter_of(world_, row))) continue;
             moving.contacts(p_.previous[row], p_.position[row], p_.radius[row], [&](const auto& contact) {

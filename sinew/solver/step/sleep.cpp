@@ -14,6 +14,15 @@ template <int D, class Real> class Sleep {
     Sleep(World<D, Real>& world, Solver<D, Real>& solver, Real dt)
         : world_(world), p_(world.particles), room_(room_of(solver)), islands_(world, room_, dt), dt_(dt) {}
 
+    /// Notes the momenta of bodies before the step.
+    void note_momenta() {
+        if (!sleeps(world_) || room_.body_of.size() != p_.size()) return;
+        room_.momentum.assign(room_.bodies.size(), {});
+        for (Row row = 0; row < p_.size(); ++row)
+            if (p_.inverse_mass[row] > Real(0))
+                room_.momentum[room_.body_of[row]] += p_.velocity[row] * (Real(1) / p_.inverse_mass[row]);
+    }
+
     /// Wakes the islands that something may touch in the step, that are moved, or all after an edit.
     void wake() {
         if (world_.journal.changed || world_.journal.stale || room_.body_of.size() != p_.size())
@@ -32,8 +41,9 @@ template <int D, class Real> class Sleep {
 
     /// Puts islands to sleep whose bodies have been at rest for the delay.
     void fall_asleep() {
-        if (room_.body_of.size() != p_.size()) return;
+        if (room_.body_of.size() != p_.size() || room_.momentum.size() != room_.bodies.size()) return;
         islands_.measure_speeds();
+        measure_forces();
         if (!count_rest()) return;
         islands_.mark_moved();
         for (std::uint32_t i = 0; i < room_.bodies.size(); ++i)
@@ -72,7 +82,8 @@ template <int D, class Real> class Sleep {
     }
 
     bool is_ready(const SleepBody& body) const {
-        return p_.asleep[body.first] || p_.rest_time[body.first] >= world_.settings.sleep.delay;
+        const Real rest = p_.rest_time[body.first];
+        return p_.asleep[body.first] || (rest > Real(0) && rest >= world_.settings.sleep.delay);
     }
     /// Adds the step to the time at rest of each body, or begins it anew. True if a body is ready to fall asleep.
     bool count_rest() {
@@ -85,11 +96,27 @@ template <int D, class Real> class Sleep {
         for (std::size_t i = 0; i < room_.bodies.size(); ++i) {
             const auto& body = room_.bodies[i];
             if (!body.is_movable || p_.asleep[body.first]) continue;
-            const bool rests = is_steady && room_.squared_speed[i] <= max;
+            const bool rests = is_steady && room_.squared_speed[i] <= max && is_held(i);
             p_.rest_time.set(body.first, rests ? p_.rest_time[body.first] + dt_ : Real(0));
             any = any || is_ready(body);
         }
         return any;
+    }
+    /// Momentum that each body has gained in the step, and what the forces on it alone would have added.
+    void measure_forces() {
+        room_.weight.assign(room_.bodies.size(), {});
+        for (auto& momentum : room_.momentum) momentum = -momentum;
+        for (Row row = 0; row < p_.size(); ++row) {
+            if (!(p_.inverse_mass[row] > Real(0))) continue;
+            const Real mass = Real(1) / p_.inverse_mass[row];
+            room_.momentum[room_.body_of[row]] += p_.velocity[row] * mass;
+            room_.weight[room_.body_of[row]] += forcing_on(world_, row).acceleration * (mass * dt_);
+        }
+    }
+    /// True for a body whose weight something bears: at the top of a throw, or of a swing, it is slow and not at rest.
+    bool is_held(std::size_t body) const {
+        constexpr Real share = Real(0.05); // of its weight: a pendulum at 3 degrees
+        return norm(room_.momentum[body]) <= share * norm(room_.weight[body]) || room_.weight[body] == Vec<D, Real>{};
     }
     void put_to_sleep(Row row) {
         p_.asleep.set(row, 1);
@@ -102,7 +129,10 @@ template <int D, class Real> class Sleep {
 } // namespace
 
 template <int D, class Real> void wake(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
-    if (solver.sleep || Sleep<D, Real>::sleeps(world) || world.sleep_parameters != 0) Sleep(world, solver, dt).wake();
+    if (!solver.sleep && !Sleep<D, Real>::sleeps(world) && world.sleep_parameters == 0) return;
+    Sleep sleep(world, solver, dt);
+    sleep.wake();
+    sleep.note_momenta();
 }
 
 template <int D, class Real> void fall_asleep(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {

@@ -29,9 +29,11 @@ template <int D, class Real> struct SleepRoom {
 
     // Scratch of a step; colliders count as items after the bodies.
     std::vector<collide::BoundingBox<D, Real>> boxes;
-    std::vector<char> is_restless;   ///< per item
-    std::vector<Real> squared_speed; ///< per body: of the fastest particle
-    std::vector<char> is_carried;    ///< per row: by a pin that moves
+    std::vector<char> is_restless;      ///< per item
+    std::vector<Real> squared_speed;    ///< per body: of the fastest particle
+    std::vector<Vec<D, Real>> momentum; ///< per body: at the start of the step, then its change
+    std::vector<Vec<D, Real>> weight;   ///< per body: sum of the forces on it, at the end of the step
+    std::vector<char> is_carried;       ///< per row: by a pin that moves
     collide::Broadphase<D, Real> broadphase;
 };
 

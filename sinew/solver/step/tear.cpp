@@ -17,6 +17,13 @@ Real strain_of(const World<D, Real>& world, std::span<Vec<D, Real>> scratch, con
     return detail::strain<Kind>(measure, table.low(row), table.high(row));
 }
 
+/// True if the force of a constraint in the last substep is more than the constraint bears. Multipliers of classic mode
+/// are no forces.
+template <class Table, int D, class Real> bool is_overloaded(const World<D, Real>& world, const Table& table, Row row) {
+    if (table.break_force[row] >= limit::measure<Real> || world.settings.mode == Mode::classic) return false;
+    return absolute(table.multiplier[row]) > table.break_force[row] * square(world.last_substep);
+}
+
 /// Adds the damage of a step; true when the constraint fails.
 template <class Table, class Real> bool wears_out(Table& table, Row row, Real strain_times_time) {
     if (table.damage_limit[row] == Real(0)) return true;
@@ -37,7 +44,9 @@ template <int D, class Real> bool lost_a_link(const World<D, Real>& world, std::
 
 template <class Table, int D, class Real>
 bool tears(const World<D, Real>& world, std::span<Vec<D, Real>> scratch, Table& table, Row row, Real dt) {
-    if (table.breaking_strain[row] >= limit::measure<Real> || world.events.size() >= events_per_step) return false;
+    if (world.events.size() >= events_per_step) return false;
+    if (is_overloaded(world, table, row)) return true;
+    if (table.breaking_strain[row] >= limit::measure<Real>) return false;
     const Real beyond = absolute(strain_of(world, scratch, table, row)) - table.breaking_strain[row];
     return beyond > Real(0) && wears_out(table, row, beyond * dt);
 }

@@ -39,7 +39,7 @@ template <int D, class Real> class Substep {
     /// Free motion, and hard pins.
     void predict(const Tile& tile) {
         if (has_walls(world_))
-            std::fill(swept_.blows.begin() + tile.first, swept_.blows.begin() + tile.last, WallBlow<D, Real>{});
+            for (Row slot = tile.first; slot < tile.last; ++slot) swept_.blows[slot].count = 0;
         if (swept_.everyone_alike) {
             predictor_.weigh(tile);
             kernels_.drift(motion_, tile.first, tile.last);
@@ -144,11 +144,15 @@ template <int D, class Real> class Substep {
             const Real lowest = kernels_.lowest(motion_, plane.normal.component.data(), tile.first, tile.last);
             if (lowest > plane.offset + swept_.largest_radius) continue;
             const auto number = std::uint32_t(world_.colliders.size() + i);
-            for (Row slot = tile.first; slot < tile.last; ++slot)
-                if (const Real stopped = contact.keep_in(plane, slot, lists ? number + 1 : 0);
-                    lists && stopped > Real(0))
-                    solver_.touches.add(swept_.row_of[slot], number,
-                                        stopped * inverse_or_zero(swept_.mobility[slot]) * mover_.per_h);
+            for (Row slot = tile.first; slot < tile.last; ++slot) {
+                const Real speed = -dot(plane.normal, swept_.displacement_at(slot)) * mover_.per_h;
+                const Real stopped = contact.keep_in(plane, slot, lists ? number + 1 : 0);
+                if (!lists || !(stopped > Real(0))) continue;
+                const auto place = mover_.point_at(slot);
+                solver_.touches.add(
+                    swept_.row_of[slot], number, stopped * inverse_or_zero(swept_.mobility[slot]) * mover_.per_h,
+                    {place - plane.normal * (dot(plane.normal, place) - plane.offset), plane.normal, speed});
+            }
         }
         if (!world_.colliders.empty())
             ColliderSweep<D, Real>(world_, solver_, contact, mover_, share_ - share_of_substep_, share_)
@@ -162,20 +166,8 @@ template <int D, class Real> class Substep {
     /// Velocities of particles that struck planes or colliders, by restitution and friction.
     void rebound(const Tile& tile) {
         if (!has_walls(world_)) return;
-        for (Row slot = tile.first; slot < tile.last; ++slot) {
-            const auto& blow = swept_.blows[slot];
-            const Real speed = norm(blow.away);
-            if (speed == Real(0)) continue;
-            const auto normal = blow.away * inverse_or_zero(speed);
-            const auto velocity = swept_.velocity_at(slot);
-            const Real added = max(Real(0), speed - dot(normal, velocity));
-            const RelativeMotion<D, Real> motion(normal, velocity - blow.surface);
-            const Real slowed = coulomb_share(blow.friction * added, norm(motion.along));
-            swept_.set_displacement(slot, (velocity + normal * added - motion.along * slowed) * mover_.h);
-            if (blow.collider > 0)
-                solver_.touches.add(swept_.row_of[slot], blow.collider - 1,
-                                    added * inverse_or_zero(swept_.mobility[slot]));
-        }
+        for (Row slot = tile.first; slot < tile.last; ++slot)
+            if (swept_.blows[slot].count > 0) rebound(slot);
     }
 
     void hold(const Tile& tile) {
@@ -203,6 +195,37 @@ template <int D, class Real> class Substep {
 
   private:
     using Vector = Vec<D, Real>;
+
+    /// All walls of a corner at once: v+ >= away, impulse >= 0, and one of both is sharp (contact/rebounds.h).
+    void rebound(Row slot) {
+        constexpr int enough = 32;         // between walls at 10 degrees
+        constexpr Real exact = Real(1e-6); // of the speeds
+        auto& blows = swept_.blows[slot];
+        auto velocity = swept_.velocity_at(slot);
+        std::array<Real, std::size_t(D)> given{};
+        for (int i = 0; i < enough; ++i) {
+            Real corrected = 0, fastest = 0;
+            for (std::size_t k = 0; k < blows.count; ++k) {
+                const auto& blow = blows.list[k];
+                const Real least = blows.count > 1 ? -blow.stopped : Real(0);
+                const Real next = max(least, given[k] + blow.away - dot(blow.normal, velocity));
+                velocity += blow.normal * (next - given[k]);
+                corrected = max(corrected, absolute(next - given[k])), fastest = max(fastest, blow.away);
+                given[k] = next;
+            }
+            if (blows.count < 2 || corrected <= exact * fastest) break;
+        }
+        for (std::size_t k = 0; k < blows.count; ++k) {
+            const auto& blow = blows.list[k];
+            const Real added = max(Real(0), given[k]);
+            const RelativeMotion<D, Real> motion(blow.normal, velocity - blow.surface);
+            velocity -= motion.along * coulomb_share(blow.friction * added, norm(motion.along));
+            if (blow.collider > 0)
+                solver_.touches.add(swept_.row_of[slot], blow.collider - 1,
+                                    added * inverse_or_zero(swept_.mobility[slot]));
+        }
+        swept_.set_displacement(slot, velocity * mover_.h);
+    }
 
     World<D, Real>& world_;
     Solver<D, Real>& solver_;

@@ -1,0 +1,147 @@
+#include "sinew/scene/check_constraint.h"
+
+#include "sinew/constraint/kind_table.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace sinew {
+namespace {
+
+std::string_view article(std::string_view noun) {
+    return std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a" : "an";
+}
+
+class ConstraintCheck {
+  public:
+    ConstraintCheck(const Scene& scene, Document& document) : scene_(scene), document_(document) {}
+
+    void constraint(const ConstraintSection& section, const std::string& place, std::string_view members) {
+        const auto between = format_text("{}/{}", place, members);
+        check_limits(section, place, document_);
+        const auto kind = *kind_called(section.kind);
+        signs(section, kind, place);
+        const auto size = section.between.size(), wanted = std::size_t(kind.min_arity);
+        if (kind.any_arity ? size < wanted : size != wanted)
+            document_.error(between,
+                            format_text("{} {} needs {}{} particle{}, found {}", article(kind.name), kind.name,
+                                        kind.any_arity ? "at least " : "", wanted, wanted == 1 ? "" : "s", size));
+        if (section.damping_time > 0 && section.is_rigid())
+            document_.error(place + "/damping_time",
+                            "only a constraint with a compliance has a damping time: a rigid one has nothing to damp");
+        if (section.drive) drive(*section.drive, section, place + "/drive");
+        if (std::ranges::count_if(section.between, [](const auto& name) { return name.ends_with('*'); }) > 1)
+            document_.error(between, "one of the names can end in a star, not more");
+        std::set<std::string_view> seen;
+        for (const auto& name : section.between)
+            if (!seen.insert(name).second) document_.error(between, format_text("\"{}\" is named twice", name));
+        if (!kind.dimensions.include(scene_.dimension))
+            document_.error(place + "/kind",
+                            format_text("there is no {} in {} dimensions", kind.name, scene_.dimension));
+    }
+
+  private:
+    const Scene& scene_;
+    Document& document_;
+
+    /// Checks that limits can be those of a kind: lengths are never negative, and angles in space have no sign.
+    void signs(const ConstraintSection& section, const KindInfo& kind, const std::string& place) {
+        const bool is_plane_angle = scene_.dimension == 3 && kind.name == Angle<3>::name;
+        const bool is_length = kind.name == Distance<2>::name || kind.name == Pulley<2>::name;
+        if (!is_plane_angle && !is_length) return;
+        const auto check = [&](const std::optional<double>& value, std::string_view key) {
+            if (!value || *value >= 0 || (is_length && key == "/low")) return;
+            document_.error(place + std::string(key),
+                            is_length ? format_text("a {} is never negative, found {}", kind.name, *value)
+                                      : format_text("an angle in 3 dimensions has no sign, found {}", *value),
+                            is_length
+                                ? ""
+                                : "from 0 (in line) to 180 (folded back); a joint that bends to one side only has a "
+                                  "volume of four particles beside it, as the elbows of a ragdoll");
+        };
+        check(section.rest, "/rest");
+        check(section.low, "/low");
+        check(section.high, "/high");
+        for (std::size_t i = 0; section.drive && i < section.drive->keys.size(); ++i)
+            check(section.drive->keys[i].to, format_text("/drive/keys/{}/to", i));
+    }
+
+    /// Checks that a drive moves: by a speed, by keys, or by both.
+    void drive(const DriveSection& drive, const ConstraintSection& section, const std::string& place) {
+        check_keys(drive.keys, place + "/keys", document_);
+        const bool stands = drive.speed && *drive.speed == 0;
+        if (!drive.has_targets() && drive.keys.empty() && (!drive.speed || stands))
+            return document_.error(
+                place, "this drive never moves: it has neither a speed nor keys",
+                "a \"speed\" turns or winds for ever; \"keys\" such as {\"at\": 2, \"to\": 1} say where "
+                "the limit is at which time");
+        if (drive.has_targets() && stands)
+            document_.error(place + "/speed", "with a speed of 0 the keys are never reached",
+                            "leave it out to be at each key in time");
+        if (drive.has_targets() && !drive.speed) jump(drive, section, place);
+    }
+
+    /// Reports a first key at time 0 that is not the initial value, without a speed to get there.
+    void jump(const DriveSection& drive, const ConstraintSection& section, const std::string& place) {
+        const auto first = std::ranges::find_if(drive.keys, [](const DriveKey& key) { return key.to.has_value(); });
+        const auto initial = section.rest ? section.rest : section.high;
+        const bool moves_later =
+            std::any_of(first + 1, drive.keys.end(), [](const DriveKey& key) { return key.to.has_value(); });
+        if (first->at == 0 && (initial ? *initial != *first->to : !moves_later))
+            document_.error(place, "a key at time 0 is a jump, which needs a \"speed\"",
+                            "or give the key the time at which it is to be reached");
+    }
+};
+
+} // namespace
+
+void check_constraint(const Scene& scene, const ConstraintSection& section, const std::string& place,
+                      Document& document, std::string_view members) {
+    ConstraintCheck(scene, document).constraint(section, place, members);
+}
+
+namespace {
+
+/// Kind and particles of a constraint, alike in both directions.
+std::string twin_key(const ConstraintSection& section) {
+    std::string forward = section.kind, backward = section.kind;
+    for (const auto& name : section.between) forward += "\n" + name;
+    for (auto name = section.between.rbegin(); name != section.between.rend(); ++name) backward += "\n" + *name;
+    return std::min(forward, backward);
+}
+
+bool is_absolute(const ConstraintSection& section) {
+    return section.is_rigid() && section.max_force == 0;
+}
+
+/// True if a drive moves its limits out of the limits of another constraint.
+bool leaves(const DriveSection& drive, const ConstraintSection& other) {
+    if (!drive.has_targets()) return true;
+    const auto low = other.rest ? other.rest : other.low, high = other.rest ? other.rest : other.high;
+    return std::ranges::any_of(drive.keys, [&](const DriveKey& key) {
+        return key.to && ((low && *key.to < *low) || (high && *key.to > *high));
+    });
+}
+
+} // namespace
+
+void check_motors(const std::vector<ConstraintSection>& list, const std::string& place, Document& document) {
+    std::map<std::string, std::vector<std::size_t>> motors;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (list[i].drive && is_absolute(list[i])) motors[twin_key(list[i])].push_back(i);
+    for (std::size_t k = 0; k < list.size() && !motors.empty(); ++k) {
+        const auto found = is_absolute(list[k]) ? motors.find(twin_key(list[k])) : motors.end();
+        if (found == motors.end()) continue;
+        for (const auto i : found->second) {
+            if (document.diagnostics.full()) return document.diagnostics.count_one_more();
+            if (i != k && leaves(*list[i].drive, list[k]))
+                document.error(place + under("constraints", i, "drive"),
+                               format_text("a motor of unlimited force against the rigid limits of {}",
+                                           place + under("constraints", k)),
+                               "give the motor a max_force");
+        }
+    }
+}
+
+} // namespace sinew

@@ -1,0 +1,109 @@
+#include "sinew/math/format.h"
+#include "sinew/math/union_find.h"
+#include "sinew/scene/check.h"
+#include "sinew/scene/types.h"
+#include "sinew/world/islands.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+/// Warnings of values that are allowed, and seldom meant.
+namespace sinew {
+namespace {
+
+template <int D, class Real> class TrapCheck {
+  public:
+    TrapCheck(const Scene& scene, const World<D, Real>& world, Document& document)
+        : scene_(scene), world_(world), document_(document) {}
+
+    void run() {
+        strains();
+        models();
+    }
+
+  private:
+    const Scene& scene_;
+    const World<D, Real>& world_;
+    Document& document_;
+
+    /// Strains of rigid constraints. Rigid links in few loops are solved exactly and have no strain; those of a mesh
+    /// have the error of the sweep, at which cloth does tear.
+    void strains() {
+        if (scene_.solver.mode == "classic") return;
+        bool any = false;
+        for_each_table(world_, [&](const auto& table) { any = any || table.may_tear(); });
+        if (!any) return;
+        const auto loops = loops_of_components();
+        std::vector<char> warned(world_.figures.size() + 1, 0);
+        for_each_table(world_, [&](const auto& table) {
+            using Kind = typename std::decay_t<decltype(table)>::Kind;
+            for (Row row = 0; row < table.size(); ++row) {
+                if (table.breaking_strain[row] >= limit::measure<Real> || !table.is_rigid(row) || table.gives(row) ||
+                    table.break_force[row] < limit::measure<Real> || loops[table.members[row][0]] > few)
+                    continue;
+                const auto figure = std::min<std::size_t>(table.figure[row], warned.size() - 1);
+                if (!std::exchange(warned[figure], 1)) warn_of_strain(Kind::name, figure);
+            }
+        });
+    }
+
+    static constexpr std::uint32_t few = 2; ///< loops of a component that is surely solved directly
+
+    void warn_of_strain(std::string_view kind, std::size_t figure) {
+        const auto place =
+            figure < scene_.figures.size() ? under("figures", figure, "breaking_strain") : std::string("/constraints");
+        document_.warn(place,
+                       format_text("a rigid {} is never strained, so a breaking_strain tears nothing here", kind),
+                       "give it a compliance, or a break_force in newtons");
+    }
+
+    /// Loops of links in the component of each particle.
+    std::vector<std::uint32_t> loops_of_components() const {
+        const auto particles = world_.particles.size();
+        UnionFind joined(particles);
+        std::vector<std::uint32_t> extra(particles, 0), loops(particles, 0);
+        for_each_table(world_, [&](const auto& table) {
+            using Kind = typename std::decay_t<decltype(table)>::Kind;
+            for (Row row = 0; row < table.size(); ++row) {
+                const auto members = table.members[row];
+                for (std::size_t i = 1; i < members.size(); ++i)
+                    if (!joined.join(members[0], members[i]) && std::is_same_v<Kind, Distance<D>>) ++extra[members[0]];
+            }
+        });
+        for (Row row = 0; row < particles; ++row) loops[joined.first_of(row)] += extra[row];
+        for (Row row = 0; row < particles; ++row) extra[row] = loops[joined.first_of(row)];
+        return extra;
+    }
+
+    void models() {
+        const auto parts = islands(world_);
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i)
+            detail::visit_held(scene_.figures[i].made, [&](const auto& made) {
+                if constexpr (requires { made.model; })
+                    if (made.model && i < parts.size())
+                        model(*made.model, made.file, parts[i], under("figures", i, "file"));
+            });
+    }
+
+    void model(const MeshModel& model, std::string_view file, std::size_t parts, const std::string& place) {
+        const auto left = model.points.size();
+        if (model.welded > 0)
+            document_.warn(
+                place,
+                format_text("{} of the {} points of {} coincide with others and are welded to them, which leaves {}",
+                            model.welded, model.welded + left, in_quotes(file), left),
+                "the names vertex_N count the points that are left");
+        if (parts > 1)
+            document_.warn(place, format_text("{} falls into {} parts that nothing joins", in_quotes(file), parts),
+                           "a point that no face uses is a part, too");
+    }
+};
+
+} // namespace
+
+void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document) {
+    std::visit([&](const auto& w) { TrapCheck(scene, w, document).run(); }, world);
+}
+
+} // namespace sinew

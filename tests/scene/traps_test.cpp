@@ -1,0 +1,165 @@
+#include "sinew/scene/scene.h"
+#include "sinew/world/edit.h"
+
+#include <gtest/gtest.h>
+#include <string>
+
+/// Mistakes that would be accepted without a word, and run otherwise than meant.
+namespace sinew::SINEW_TEST_FILE {
+namespace {
+
+struct Said {
+    std::string errors, warnings;
+    bool opened = false;
+};
+
+Said said_of(const std::string& scene, const std::string& model = "") {
+    auto document = load(scene, "a.json");
+    const auto opened = open_scene(
+        document, {}, [&](const std::string& name, const Limits& limits) { return read_model(model, name, limits); });
+    return {to_text(document.diagnostics), warnings_text(document.diagnostics), opened.has_value()};
+}
+
+testing::AssertionResult says(const std::string& text, std::string_view part) {
+    if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "not said: " << part << "\nin: " << text;
+}
+
+std::string three(const std::string& constraints, const std::string& more = "") {
+    return R"({"sinew": 1, "figures": [{"name": "f", "particles": {"a": {"at": [-1, 0]}, "b": {"at": [0, 0]},
+        "c": {"at": [1, 0]}}, "constraints": [)" +
+           constraints + "]}]" + more + "}";
+}
+
+TEST(Pins, OfASceneThatHoldOneParticleTwiceAreToldBoth) {
+    const auto said = said_of(R"({"sinew": 1, "figures": [{"prefab": "rope", "name": "r"}], "pins": [
+        {"particle": "r/start"}, {"particle": "r/start", "driver": "bob", "by": [1, 0]}]})");
+    EXPECT_TRUE(says(said.errors, "\"r/start\" is held by /pins/0 already, as \"r/start\" at /pins/1/particle"));
+    EXPECT_TRUE(said_of(R"({"sinew": 1, "figures": [{"prefab": "rope", "name": "r"}], "pins": [
+        {"particle": "r/start", "driver": "bob", "by": [1, 0]}, {"particle": "r/end"}]})")
+                    .opened)
+        << "a pin of the figure's own is taken over";
+    EXPECT_TRUE(said_of(R"({"sinew": 1, "figures": [{"prefab": "rope", "name": "r"}], "pins": [
+        {"particle": "r/end", "compliance": 0.1}, {"particle": "r/end", "compliance": 0.1, "to": [1, 0]}]})")
+                    .opened)
+        << "springs act side by side";
+}
+
+TEST(Drive, ThatNeverMovesTellsWhatIsMissing) {
+    const auto drive = [](const std::string& text) {
+        return said_of(three(R"({"between": ["a", "b"], "high": 2, "drive": )" + text + "}"));
+    };
+    EXPECT_TRUE(says(drive("{}").errors, "neither a speed nor keys"));
+    EXPECT_TRUE(says(drive(R"({"speed": 0})").errors, "neither a speed nor keys"));
+    EXPECT_TRUE(says(drive(R"({"speed": 0, "keys": [{"at": 1, "to": 1}]})").errors, "never reached"));
+    EXPECT_TRUE(says(drive(R"({"keys": [{"at": 0, "to": 1}]})").errors, "needs a \"speed\""));
+    for (const auto* good : {R"({"speed": 1})", R"({"keys": [{"at": 1, "to": 1}]})",
+                             R"({"keys": [{"at": 0, "to": 2}]})", R"({"speed": 1, "keys": [{"at": 0, "to": 1}]})"})
+        EXPECT_TRUE(drive(good).opened) << good << drive(good).errors;
+    const auto join = said_of(three("", R"(, "events": [{"at": 1, "join": ["f/a", "f/c"], "drive": {"speed": 1}}])"));
+    EXPECT_TRUE(says(join.errors, "a joined constraint has no drive"));
+}
+
+TEST(Motor, OfUnlimitedForceAgainstARigidLimitIsRefused) {
+    const auto motor = [](const std::string& drive, const std::string& order = R"(["a", "b", "c"])") {
+        return said_of(three(R"({"kind": "angle", "between": ["a", "b", "c"], )" + drive +
+                             R"(}, {"kind": "angle", "low": -45, "high": 45, "between": )" + order + "}"));
+    };
+    EXPECT_TRUE(
+        says(motor(R"("drive": {"speed": 90})").errors, "against the rigid limits of /figures/0/constraints/1"));
+    EXPECT_FALSE(motor(R"("drive": {"speed": 90})", R"(["c", "b", "a"])").opened);
+    EXPECT_FALSE(motor(R"("drive": {"keys": [{"at": 1, "to": 50}]})").opened);
+    EXPECT_TRUE(motor(R"("drive": {"keys": [{"at": 1, "to": 40}]})").opened) << "it stays within";
+    EXPECT_TRUE(motor(R"("max_force": 5, "drive": {"speed": 90})").opened);
+    EXPECT_TRUE(motor(R"("compliance": 0.1, "drive": {"speed": 90})").opened);
+}
+
+TEST(Angle, InSpaceHasNoSign) {
+    const auto angle = [](const std::string& limits) {
+        return said_of(R"({"sinew": 1, "dimension": 3, "figures": [{"name": "f", "particles": {"a": {"at": [0, 0, 0]},
+            "b": {"at": [1, 0, 0]}, "c": {"at": [2, 0, 0]}}, "constraints": [{"kind": "angle",
+            "between": ["a", "b", "c"], )" +
+                       limits + "}]}]}");
+    };
+    EXPECT_TRUE(
+        says(angle(R"("low": -10, "high": 90)").errors, "has no sign, found -10 at /figures/0/constraints/0/low"));
+    EXPECT_FALSE(angle(R"("rest": -1)").opened);
+    EXPECT_FALSE(angle(R"("rest": 0, "max_force": 1, "drive": {"keys": [{"at": 1, "to": -5}]})").opened);
+    EXPECT_TRUE(angle(R"("low": 0, "high": 90)").opened);
+    EXPECT_TRUE(says(said_of(three(R"({"between": ["a", "b"], "rest": -1})")).errors, "a distance is never negative"));
+}
+
+TEST(BreakingStrain, OfARigidLinkIsWarnedOf) {
+    const auto rope = [](const std::string& more) {
+        return said_of(R"({"sinew": 1, "figures": [{"prefab": "rope", "breaking_strain": 0.01)" + more + "}]}");
+    };
+    EXPECT_TRUE(says(rope("").warnings, "a.json:1:64: warning: a rigid distance is never strained")) << rope("").errors;
+    EXPECT_TRUE(rope("").opened);
+    EXPECT_EQ(rope(R"(, "compliance": 0.001)").warnings, "");
+    EXPECT_EQ(rope(R"(, "break_force": 100)").warnings, "");
+    EXPECT_EQ(said_of(R"({"sinew": 1, "figures": [{"prefab": "cloth", "columns": 6, "rows": 6,
+        "breaking_strain": 0.1}]})")
+                  .warnings,
+              "")
+        << "cloth tears by what the sweep leaves of its strain";
+}
+
+constexpr const char* two_triangles = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n";
+
+TEST(MeshFile, IsWeldedAndTheNumberTold) {
+    const std::string scene = R"({"sinew": 1, "dimension": 3, "figures": [{"prefab": "mesh", "file": "x.obj"}]})";
+    const auto welded = said_of(scene, two_triangles);
+    EXPECT_TRUE(says(welded.warnings, "2 of the 6 points of \"x.obj\" coincide with others"));
+    EXPECT_EQ(welded.warnings.find("parts"), std::string::npos) << "it holds together now";
+    const auto apart = said_of(scene, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 3 1 0\nv 2 1 0\nf 1 2 3\nf 4 5 6\n");
+    EXPECT_TRUE(says(apart.warnings, "\"x.obj\" falls into 2 parts that nothing joins"));
+    EXPECT_EQ(said_of(scene, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").warnings, "");
+}
+
+TEST(Version, ThatIsMissingHidesNothingElse) {
+    const auto said = said_of(R"({"figures": [{"prefab": "rope"}], "pins": [{"particle": "rope/nobody"}]})");
+    EXPECT_TRUE(says(said.errors, "{\"sinew\": 1, ..."));
+    EXPECT_TRUE(says(said.errors, "there is no particle in \"rope\" called \"nobody\""));
+    EXPECT_FALSE(said.opened);
+}
+
+TEST(Check, TellsTheRestBehindAFigureNamedTwice) {
+    const auto said = said_of(R"({"sinew": 1, "figures": [{"prefab": "rope"}, {"prefab": "rope"}],
+        "pins": [{"particle": "rope/nobody"}]})");
+    EXPECT_TRUE(says(said.errors, "there is already a figure called \"rope\""));
+    EXPECT_TRUE(says(said.errors, "called \"nobody\""));
+}
+
+TEST(ParticleName, WithoutItsFigureIsCompleted) {
+    const std::string begin = R"({"sinew": 1, "figures": [{"name": "f", "particles": {"a": {"at": [0, 0]},
+        "b": {"at": [1, 0]}}}], "constraints": [{"between": [)";
+    EXPECT_TRUE(says(said_of(begin + R"("a", "f/b"]}]})").errors, "did you mean \"f/a\"?"));
+    EXPECT_TRUE(says(said_of(begin + R"("x", "f/b"]}]})").errors, "allowed here: f/a, f/b"));
+    EXPECT_TRUE(says(said_of(begin + R"("f/aa", "f/b"]}]})").errors, "did you mean \"a\"? (allowed here: a, b)"));
+}
+
+TEST(Words, OfOtherEnginesLeadToOurs) {
+    const auto in = [](const std::string& text) { return said_of(R"({"sinew": 1, )" + text + "}").errors; };
+    EXPECT_TRUE(says(in(R"("colliders": [{"shape": "sphere", "restitution": 1}])"), "did you mean \"bounce\"?"));
+    EXPECT_TRUE(says(in(R"("colliders": [{"shape": "circle"}])"), "did you mean \"sphere\"?"));
+    EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "position": [0, 1]}])"), "did you mean \"at\"?"));
+    EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "density": 1}])"), "did you mean \"mass\"?"));
+    EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "color": "red"}])"), "did you mean \"looks\"?"));
+    EXPECT_TRUE(says(in(R"("figures": [{"prefab": "wheel"}])"), "did you mean \""));
+}
+
+TEST(Override, ThatIsBrokenIsNoWord) {
+    const auto said = [](const std::string& pair) {
+        const Override overrides[] = {{pair}};
+        auto document = load(R"({"sinew": 1, "figures": [{"prefab": "rope"}]})", "a.json", overrides);
+        open_scene(document);
+        return to_text(document.diagnostics);
+    };
+    EXPECT_TRUE(says(said("world.gravity=[0,-9.81"), "the value ends too early"));
+    EXPECT_TRUE(says(said("world.gravity=[0,-9.81"), "is not closed"));
+    EXPECT_TRUE(says(said("figures.rope.mass=1e400"), "the number 1e400 is too large"));
+    EXPECT_TRUE(says(said("figures.rope.pinned=nobody"), "expected \"start\", \"end\", \"both\" or \"none\""));
+}
+
+} // namespace
+} // namespace sinew::SINEW_TEST_FILE
