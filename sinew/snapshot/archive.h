@@ -95,7 +95,7 @@ template <class Archive, class T> void archive(Archive& at, Column<T>& column) {
         unpack<T>(
             at,
             [&](std::size_t rows, const T& first, const T& step) {
-                if constexpr (words_of<T> == 0)
+                if constexpr (!is_counted<T>)
                     column.append(rows, first);
                 else
                     for (std::uint32_t i = 0; i < rows; ++i) column.push_back(stepped(first, step, i));
@@ -112,7 +112,7 @@ template <class Archive, class T> void archive(Archive& at, Column<T>& column) {
         at.number(Packing::runs);
         at.count(column.size());
         at.number(value);
-        if constexpr (words_of < T >> 0) at.number(T{});
+        if constexpr (is_counted<T>) at.number(T{});
     }
 }
 /// Lower limits, and upper ones where they differ.

@@ -11,11 +11,12 @@ namespace sinew::snapshot {
 template <class T> inline constexpr std::size_t words_of = 0;
 template <> inline constexpr std::size_t words_of<std::uint32_t> = 1;
 template <std::size_t N> inline constexpr std::size_t words_of<std::array<std::uint32_t, N>> = N;
+template <class T> inline constexpr bool is_counted = words_of<T> != 0;
 
 enum class Packing : std::uint8_t { rows, runs };
 
 template <class T> T step_between(const T& from, const T& to) {
-    if constexpr (words_of<T> == 1) {
+    if constexpr (std::is_integral_v<T>) {
         return to - from;
     } else {
         T step{};
@@ -24,7 +25,7 @@ template <class T> T step_between(const T& from, const T& to) {
     }
 }
 template <class T> T stepped(const T& from, const T& step, std::uint32_t times) {
-    if constexpr (words_of<T> == 1) {
+    if constexpr (std::is_integral_v<T>) {
         return from + step * times;
     } else {
         T to{};
@@ -41,7 +42,7 @@ template <class T, class Visit> bool each_run(std::span<const T> column, Visit&&
     for (std::size_t first = 0; first < column.size();) {
         std::size_t end = first + 1;
         T step{};
-        if constexpr (words_of < T >> 0) {
+        if constexpr (is_counted<T>) {
             if (end < column.size()) step = step_between(column[first], column[end]);
             while (end < column.size() && step_between(column[end - 1], column[end]) == step) ++end;
         } else {
@@ -54,7 +55,7 @@ template <class T, class Visit> bool each_run(std::span<const T> column, Visit&&
 }
 
 /// Bytes of a run, with a count of two digits.
-template <class T> inline constexpr std::size_t run_size = 2 + sizeof(T) * (words_of<T> > 0 ? 2 : 1);
+template <class T> inline constexpr std::size_t run_size = 2 + sizeof(T) * (is_counted<T> ? 2 : 1);
 
 /// Most runs that a column is packed in: they take less than its rows. Unless `compact`, one, of a column whose rows
 /// are equal.
@@ -81,7 +82,7 @@ template <class T> void pack(ByteWriter& writer, std::span<const T> column) {
     each_run(column, [&](const T& first, const T& step, std::size_t rows) {
         writer.count(rows);
         writer.number(first);
-        if constexpr (words_of < T >> 0) writer.number(step);
+        if constexpr (is_counted<T>) writer.number(step);
         return true;
     });
 }
@@ -102,7 +103,7 @@ template <class T, class Append, class All> void unpack(ByteReader& reader, Appe
         if (rows == 0 || rows > size - row) return reader.fail("the runs of a column do not add up to its rows");
         const T first = reader.number<T>();
         T step{};
-        if constexpr (words_of < T >> 0) step = reader.number<T>();
+        if constexpr (is_counted<T>) step = reader.number<T>();
         if (!reader.failed()) append(std::size_t(rows), first, step);
         row += std::size_t(rows);
     }
@@ -113,7 +114,7 @@ template <class T> void unpack_into(ByteReader& reader, std::vector<T>& column) 
     unpack<T>(
         reader,
         [&](std::size_t rows, const T& first, const T& step) {
-            if constexpr (words_of < T >> 0)
+            if constexpr (is_counted<T>)
                 for (std::uint32_t i = 0; i < rows; ++i) column.push_back(stepped(first, step, i));
             else
                 column.insert(column.end(), rows, first);
