@@ -43,6 +43,7 @@ template <class WorldT> class Transplant {
         target.position[*to] = source.position[*from];
         target.previous[*to] = source.previous[*from];
         target.velocity[*to] = source.velocity[*from];
+        target.at_end[*to] = source.at_end[*from];
         target.residual[*to] = source.residual[*from];
         target.energy_debt.set(*to, source.energy_debt[*from]);
         target.quarantined[*to] = source.quarantined[*from];

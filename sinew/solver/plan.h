@@ -53,16 +53,21 @@ struct Extent {
 struct Component {
     std::uint32_t first_tile = 0, tiles = 0;
     std::uint32_t first_color = 0, colors = 0;
-    std::uint32_t wavefront_offset = 0; ///< delay of the last colour
+    std::uint32_t wavefront_offset = 0; ///< delay of the last colour, on the way back if there is one
     std::uint32_t tile_span = 0;        ///< largest span of a colour
     std::uint32_t first_tether = 0, tethers = 0;
     PlanPlace begin{}; ///< offsets of the component's entries
     Extent particles{}, links{};
     bool small = false;                       ///< may be laid out with others of the same shape (batch/components.h)
+    bool both_ways = false;                   ///< each iteration sweeps the links there and back
+    bool is_elastic = false;                  ///< some links are compliant
+    bool is_tied = false;                     ///< so do constraints of other kinds, which are swept there and back
+    bool is_crushed = false;                  ///< in this step rigid links are far too short: nothing only pulls
     std::uint32_t copies = 0;                 ///< interleaved copies of one shape; 0 for a single one
     std::uint32_t first_body = 0, bodies = 0; ///< range of FreeBodies::list that begins here
 
     bool has_links() const { return colors > 0; }
+    bool goes_back() const { return both_ways || is_tied; }
 };
 
 /// Pin of the world, and the slot of the pinned particle.
@@ -115,11 +120,13 @@ struct PlanRoom {
         std::uint32_t tile = 0, color = 0;
     };
     std::vector<Row> sorted, left_over; ///< rows of distances
+    std::vector<SweepRun> others;
     std::vector<Link> of_tile, left_of_tile;
     std::vector<Sequence> sequences;
     LevelStructure levels;
 
-    void reserve(std::size_t particles, std::size_t distances) {
+    void reserve(std::size_t particles, std::size_t distances, std::size_t constraints) {
+        others.reserve(constraints);
         members.reserve(particles + 1, particles);
         link_at.reserve(particles + 1, distances);
         order.reserve(particles + 1);
@@ -172,6 +179,12 @@ template <class Real> struct Plan {
         return component + 1 < components.size() ? components[component + 1].begin : end();
     }
     PlanPlace end_of(const Component& component) const { return end_of(std::size_t(&component - components.data())); }
+
+    /// Delay of a colour on the way back, from the last tile to the first, after the way there.
+    std::uint32_t offset_of_return(const Component& component, std::uint32_t color) const {
+        const auto there = colors[component.first_color + component.colors - 1].wavefront_offset + component.tiles - 1;
+        return there + (component.colors - 1 - color) * component.tile_span;
+    }
 
     /// Calls visit(row, slot a, slot b) for the links of a batch.
     template <class Visit> void each_link(const LinkBatch& run, Visit&& visit) const {

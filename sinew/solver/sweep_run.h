@@ -13,6 +13,7 @@ struct Rows {
 struct SweepRun {
     int kind = 0;
     Rows rows;
+    bool both_ways = false; ///< each iteration projects them there and back
 };
 
 } // namespace sinew

@@ -4,6 +4,8 @@
 #include "sinew/solver/batch/grid.h"
 #include "sinew/solver/batch/mesh.h"
 
+#include <algorithm>
+
 /// Order of a component's particles and links: a grid where links have few directions, else a mesh, coloured. Many
 /// copies of one small shape are interleaved, particle i of all copies before i + 1, and each copy is solved in the
 /// order of its links.
@@ -50,13 +52,16 @@ template <int D, class Real> class ComponentBuilder {
     void lay_out(std::size_t part) {
         begin_sheet(part);
         constexpr std::size_t few = 64; // links; fewer are solved in row order
-        if (grid_.find(part))
+        if (grid_.find(part)) {
             grid_.lay_out(part);
-        else if (links(part).size() < few)
+            end_sheet(D == 3 && grid_.is_sheet(part));
+        } else if (links(part).size() < few) {
             lay_out_list(part);
-        else
+            end_sheet(is_path(part));
+        } else {
             mesh_.lay_out(part);
-        end_sheet();
+            end_sheet(D == 3 && !is_elastic() && !has_hub(part));
+        }
     }
 
     /// Interleaves copies, particle i of all before i + 1: as many copies in a component as fit the fastest cache.
@@ -81,7 +86,7 @@ template <int D, class Real> class ComponentBuilder {
                     runs_.add(link, slot(end(link, 0)), slot(end(link, 1)));
                 }
             }
-            end_sheet();
+            end_sheet(is_path(part));
         }
     }
 
@@ -107,7 +112,31 @@ template <int D, class Real> class ComponentBuilder {
                                     .small = members(part).size() <= max_in_copies});
     }
 
-    void end_sheet() {
+    /// True for links that form open chains, of which any order converges without oscillation.
+    bool is_path(std::size_t part) const { return links(part).size() < members(part).size() && max_degree(part) <= 2; }
+    /// True if a particle has more links than any of a regular mesh: eight to neighbours, four to the next but one.
+    bool has_hub(std::size_t part) const {
+        constexpr Row max_regular = 12;
+        return max_degree(part) > max_regular;
+    }
+    /// Largest number of links of a particle.
+    Row max_degree(std::size_t part) const {
+        auto& degree = room_.at;
+        degree.assign(members(part).size(), 0);
+        Row max = 0;
+        for (const Row link : links(part))
+            for (std::size_t i = 0; i < 2; ++i) max = std::max(max, ++degree[parts_.rank(link, i)]);
+        return max;
+    }
+    /// True if a link of the last component is compliant.
+    bool is_elastic() const {
+        const auto runs = std::span(plan_.runs).subspan(plan_.components.back().begin.run);
+        return std::ranges::any_of(runs, &LinkBatch::compliant);
+    }
+
+    /// `is_regular`: links in an order that is stable in one direction (docs/concepts/order-and-lanes.md). Sheets in a
+    /// plane are not: they can be crushed, which folds cells over each other.
+    void end_sheet(bool is_regular) {
         auto& component = plan_.components.back();
         component.tiles = std::uint32_t(plan_.tiles.size()) - component.first_tile;
         component.colors = std::uint32_t(plan_.colors.size()) - component.first_color;
@@ -118,6 +147,10 @@ template <int D, class Real> class ComponentBuilder {
             component.tile_span = std::max(component.tile_span, color.tile_span);
         }
         component.wavefront_offset = wavefront_offset;
+        component.is_elastic = is_elastic();
+        component.both_ways = component.has_links() && !is_regular;
+        if (component.both_ways)
+            component.wavefront_offset = plan_.offset_of_return(component, 0) + component.tiles - 1;
         component.links = runs_.links();
         for (auto slot = component.begin.slot; slot < swept_.row_of.size(); ++slot)
             component.particles.include(swept_.row_of[slot]);

@@ -3,6 +3,8 @@
 #include "sinew/solver/batch/batches.h"
 #include "sinew/solver/batch/component_finder.h"
 
+#include <algorithm>
+
 /// Order of a component whose links have few directions, as in a cloth.
 namespace sinew::detail {
 
@@ -60,6 +62,24 @@ template <int D, class Real> class GridBuilder {
             tile = Row(swept_.row_of.size());
         }
         for (const auto& direction : room_.directions) add_direction(part, direction);
+    }
+
+    /// True if links join neighbours within a row or from row to row, up to the third. Then one sweep in the order of
+    /// directions is stable; links that close a ring or lead to a hub are not of a sheet. After lay_out.
+    bool is_sheet(std::size_t part) const {
+        constexpr Row furthest = 3;
+        auto &row_of = room_.at, &column_of = room_.left;
+        const auto count = parts_.members(part).size();
+        row_of.assign(count, 0), column_of.assign(count, 0);
+        for (std::size_t i = 1; i < count; ++i) {
+            row_of[i] = row_of[i - 1] + (room_.chained[i - 1] ? 0 : 1);
+            column_of[i] = room_.chained[i - 1] ? column_of[i - 1] + 1 : 0;
+        }
+        const auto near = [](Row a, Row b) { return (a < b ? b - a : a - b) <= furthest; };
+        return std::ranges::all_of(parts_.links(part), [&](Row link) {
+            const Row a = parts_.rank(link, 0), b = parts_.rank(link, 1);
+            return near(row_of[a], row_of[b]) && near(column_of[a], column_of[b]);
+        });
     }
 
   private:

@@ -2,6 +2,7 @@
 #include "sinew/solver/batch/components.h"
 #include "sinew/solver/batch/reuse.h"
 #include "sinew/solver/batch/tethers.h"
+#include "sinew/solver/batch/ties.h"
 #include "sinew/solver/phases.h"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ template <int D, class Real> class PlanBuilder {
         }
         plan_.close();
         for (auto& run : plan_.runs) run.kind = kind_of(run);
+        detail::TieFinder<D, Real>(world_, solver_).run();
         plan_.row_moves = world_.journal.row_moves;
         list_pins();
         tethers_.run();
@@ -43,7 +45,7 @@ template <int D, class Real> class PlanBuilder {
     static constexpr Row none = ~Row(0);
 
     World<D, Real>& world_;
-    const Solver<D, Real>& solver_;
+    Solver<D, Real>& solver_;
     SweepState<D, Real>& swept_;
     Plan<Real>& plan_;
     PlanRoom& room_;
@@ -148,7 +150,8 @@ template <int D, class Real> class PlanBuilder {
         if (!plan_.may_tear || constraints > small) return;
         plan_.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size(),
                       constraints);
-        room_.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size());
+        room_.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size(),
+                      constraints);
         swept_.spare.reserve(world_.particles.size(), std::get<kind_number<Distance, D>>(world_.constraints).size(), 0);
         swept_.reserve(world_.particles.size());
     }

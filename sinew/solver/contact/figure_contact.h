@@ -8,6 +8,8 @@
 #include "sinew/solver/contact/row_builder.h"
 #include "sinew/solver/contact/row_solver.h"
 
+#include <algorithm>
+
 /// Contacts of colliding figures in a substep of the sweep: soft rows on displacements, whose multipliers are kept from
 /// substep to substep (Catto 2011; small steps: Macklin et al. 2019); after each pass over the rows the links of the
 /// figures are made exact.
@@ -115,8 +117,15 @@ template <int D, class Real> class FigureContact {
         list.margin = margin, list.near_by = near_by, list.widest = widest;
     }
 
+    /// Elastic links begin every substep without multipliers: so do rows on them.
+    bool is_elastic(Row slot) const {
+        const auto& components = state_.plan.components;
+        const auto after = std::upper_bound(components.begin(), components.end(), slot,
+                                            [](Row s, const Component& component) { return s < component.begin.slot; });
+        return (after - 1)->is_elastic;
+    }
     void apply_again(RowT& row) {
-        if (!row.keeps) row.multiplier = 0, row.tangent = {};
+        if (!row.keeps || is_elastic(row.slot[0])) row.multiplier = 0, row.tangent = {};
         if (row.multiplier > Real(0)) rows_.apply(row, row.normal * row.multiplier + row.tangent);
     }
 

@@ -11,6 +11,7 @@
 #include "sinew/solver/sweep/substeps.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sinew::detail {
 
@@ -19,8 +20,8 @@ namespace sinew::detail {
 template <int D, class Real> class CoupledSweep {
   public:
     CoupledSweep(World<D, Real>& world, Solver<D, Real>& solver, const Substeps<D, Real>& substeps, bool motorized)
-        : world_(world), solver_(solver), plan_(solver.sweep_state.plan), substeps_(substeps),
-          motorized_(motorized), keeper_{solver.sweep_state, substeps.kernels()} {}
+        : world_(world), solver_(solver), plan_(solver.sweep_state.plan), substeps_(substeps), motorized_(motorized),
+          goes_back_(solver.blocks.attached_trees.empty()), keeper_{solver.sweep_state, substeps.kernels()} {}
 
     void run() {
         const auto bodies = std::span(solver_.sweep_state.bodies.list);
@@ -42,6 +43,9 @@ template <int D, class Real> class CoupledSweep {
     const Plan<Real>& plan_;
     const Substeps<D, Real>& substeps_;
     bool motorized_; ///< a limit moves, or has a maximum force
+    /// Constraints are projected there and back. Not beside ports: pushes on them are linear about one sweep there, and
+    /// with the way back joined figures run away (JoinedFigures of the tests).
+    bool goes_back_;
     MomentumKeeper<D, Real> keeper_;
 
     /// `bodies` are those whose momenta are kept in this substep.
@@ -95,8 +99,8 @@ template <int D, class Real> class CoupledSweep {
         }
     }
 
-    /// Runs an iteration over all constraints: ports after everything not at a port, and before the tethers. Components
-    /// with ports are swept again, since most of the load on them comes from outside.
+    /// Runs an iteration over all constraints: there and back, then ports, and then the tethers. Components with ports
+    /// are swept again, since most of the load on them comes from outside.
     void project_all(Substep<D, Real>& substep) {
         const int rounds = max_passes();
         const bool first = substep.mover().first_iteration;
@@ -105,10 +109,22 @@ template <int D, class Real> class CoupledSweep {
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
                 if (round < passes(i) && !is_exact(i)) project(substep, plan_.components[i], link_passes(i));
             for (const auto& run : plan_.others) project(substep, run);
+            go_back(substep, round);
             PortMover<D, Real>::project_all(world_, solver_, substep.mover());
             for (std::size_t i = 0; i < plan_.components.size(); ++i)
                 if (round < passes(i)) tether(substep, plan_.components[i]);
         }
+        substep.mover().first_iteration = first;
+    }
+    /// The way back over constraints of other kinds, and over the components that they act on.
+    void go_back(Substep<D, Real>& substep, int round) {
+        if (!goes_back_) return;
+        const bool first = std::exchange(substep.mover().first_iteration, false);
+        for (auto run = plan_.others.rbegin(); run != plan_.others.rend(); ++run)
+            if (run->both_ways) project_back(substep, *run);
+        for (std::size_t i = plan_.components.size(); i-- > 0;)
+            if (plan_.components[i].is_tied && round < passes(i) && !is_exact(i))
+                project_back(substep, plan_.components[i]);
         substep.mover().first_iteration = first;
     }
     /// Passes over a component in an iteration.
@@ -133,26 +149,46 @@ template <int D, class Real> class CoupledSweep {
     }
     bool has_thin_cloth() const { return has_figure_contacts(solver_) && !solver_.contacts->thin.empty(); }
     void project(Substep<D, Real>& substep, const SweepRun& run) {
-        const std::span scratch(solver_.scratch);
-        if (!has_figure_contacts(solver_)) return project_run(world_, scratch, run, substep.mover());
         visit_table(world_, run.kind, [&](auto& table) {
-            for (Row row = run.rows.first; row < run.rows.last; ++row)
-                if (!solver_.contacts->joints.takes(run.kind, row)) project_row(scratch, table, row, substep.mover());
+            for (Row row = run.rows.first; row < run.rows.last; ++row) project(substep, run.kind, table, row);
         });
     }
+    void project_back(Substep<D, Real>& substep, const SweepRun& run) {
+        visit_table(world_, run.kind, [&](auto& table) {
+            for (Row row = run.rows.last; row-- > run.rows.first;) project(substep, run.kind, table, row);
+        });
+    }
+    template <class Table> void project(Substep<D, Real>& substep, int kind, Table& table, Row row) {
+        if (!has_figure_contacts(solver_) || !solver_.contacts->joints.takes(kind, row))
+            project_row(std::span(solver_.scratch), table, row, substep.mover());
+    }
+
     void project(Substep<D, Real>& substep, const Component& component, int times) {
         substep.set_anchors(component);
         const bool first = substep.mover().first_iteration;
         substep.is_repeated = times > 1;
         for (int i = 0; i < times; ++i) {
             substep.mover().first_iteration = first && i == 0;
-            for_each_projection(world_, plan_, substep, component, [&](std::uint32_t, auto&& work) {
-                for (std::uint32_t tile = 0; tile < component.tiles; ++tile) work(tile);
-            });
+            const bool comes_later = goes_back_ && component.is_tied; // the way back, with constraints of other kinds
+            for_each_color(plan_, substep, component, over_tiles(component));
+            if (goes_back_ && component.both_ways && !comes_later)
+                for_each_color_back(plan_, substep, component, over_tiles(component));
+            if (!comes_later) for_each_repair(world_, substep, component, over_tiles(component));
             if (times > 1) solve_faces();
         }
         substep.is_repeated = false;
         substep.mover().first_iteration = first;
+    }
+    void project_back(Substep<D, Real>& substep, const Component& component) {
+        substep.set_anchors(component);
+        for_each_color_back(plan_, substep, component, over_tiles(component));
+        for_each_repair(world_, substep, component, over_tiles(component));
+    }
+    /// Visitor of passes: each over all tiles.
+    static auto over_tiles(const Component& component) {
+        return [count = component.tiles](std::uint32_t, auto&& work) {
+            for (std::uint32_t tile = 0; tile < count; ++tile) work(tile);
+        };
     }
     /// Passes over the links of a component in each round. No tether helps cloth that lies on something, and contacts
     /// stretch the links before the next pass: one leaves links of twice their length, through which layers slip; a

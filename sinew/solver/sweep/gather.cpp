@@ -1,5 +1,6 @@
 #include "sinew/solver/phases.h"
 #include "sinew/solver/simd/kernel.h"
+#include "sinew/solver/sweep/crumpling.h"
 #include "sinew/world/world.h"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
         sweep_state.any_pin_moves = sweep_state.any_pin_moves || pin.from != pin.target;
         sweep_state.any_pin_soft = sweep_state.any_pin_soft || !pin.hard();
     }
+    detail::Crumpling<D, Real>(world, sweep_state).find();
     auto& bodies = sweep_state.bodies;
     bodies.touched.assign(!has_walls(world) || bodies.list.empty() ? 0 : sweep_state.size(), 0);
     sweep_state.largest_radius = 0;

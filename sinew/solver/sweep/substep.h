@@ -51,22 +51,27 @@ template <int D, class Real> class Substep {
 
     /// Projects the simple distances of a colour that start in tile `tile`.
     void project(const Component& component, std::uint32_t number, std::uint32_t tile, bool again = false) {
-        auto& plan = swept_.plan;
-        const auto& color = plan.colors[component.first_color + number];
-        const auto* runs = plan.runs.data();
-        const auto first = plan.first_batch[color.first_batch + tile],
-                   last = plan.first_batch[color.first_batch + tile + 1];
+        const auto [first, last] = batches_of(component, number, tile);
         if (first == last) return;
-        DistancePass<Real> pass{.per_h2 = mover_.per_h * mover_.per_h,
-                                .kept =
-                                    last_ || world_.settings.iterations > 1 || !solver_.blocks.attached_trees.empty(),
-                                .last_substep = last_,
-                                .first = mover_.first_iteration && !again,
-                                .adds = is_repeated && !again,
-                                .again = again};
-        kernels_.project(links_, pass, runs + first, runs + last);
-        if (pass.overstretched && component.tethers > 0) plan.tiles[component.first_tile + tile].overstretched = true;
-        if (pass.shortest < limit::shortest_link<Real>) part_heaps(first, last);
+        const auto* batches = swept_.plan.runs.data();
+        auto pass = pass_over(component);
+        pass.first = mover_.first_iteration && !again;
+        pass.adds = is_repeated && !again;
+        pass.again = again;
+        kernels_.project(links_, pass, batches + first, batches + last);
+        note(pass, component, tile, first, last);
+    }
+
+    /// The same in reverse order. Multipliers go on: the way back belongs to the same iteration.
+    void project_back(const Component& component, std::uint32_t number, std::uint32_t tile) {
+        const auto [first, last] = batches_of(component, number, tile);
+        auto pass = pass_over(component);
+        pass.first = false;
+        pass.adds = true;
+        for (auto i = last; i-- > first;)
+            each_disjoint_back(swept_.plan.runs[i],
+                               [&](const LinkBatch& part) { kernels_.project(links_, pass, &part, &part + 1); });
+        note(pass, component, tile, first, last);
     }
 
     /// Repair of overstretched links of a tethered component (snapping taut, a hem cracking like a whip): sweeps
@@ -100,7 +105,7 @@ template <int D, class Real> class Substep {
     /// the row (colours of span 0) touch no other tile.
     void repair_spans(const Component& component, std::uint32_t number) {
         const auto& tile = swept_.plan.tiles[component.first_tile + number];
-        if (tile.span_repairs == 0) return;
+        if (tile.span_repairs == 0 || component.is_crushed) return;
         constexpr std::uint32_t times = 6; // each costs a hanging cloth of 64 x 64 about 2 %
         for (std::uint32_t i = 0; i < times * tile.span_repairs; ++i) {
             if (i % tile.span_repairs == 0) tether(tile);
@@ -122,7 +127,7 @@ template <int D, class Real> class Substep {
             anchors_[i].half_per_max_length_square = plan.half_per_max_length_square.data() + tether.first - first;
         }
         motion_.anchors = anchors_.data();
-        motion_.anchor_count = component.tethers;
+        motion_.anchor_count = component.is_crushed ? 0 : component.tethers;
     }
 
     /// Long-range attachments: no particle is further from a hard pin than the links reach.
@@ -239,6 +244,43 @@ template <int D, class Real> class Substep {
     bool last_, tethered_;
     Motion<D, Real> motion_{};
     std::array<Anchor<D, Real>, max_tethers> anchors_;
+
+    /// Batches of a colour that start in a tile.
+    std::pair<std::uint32_t, std::uint32_t> batches_of(const Component& component, std::uint32_t number,
+                                                       std::uint32_t tile) const {
+        const auto& plan = swept_.plan;
+        const auto at = plan.colors[component.first_color + number].first_batch + tile;
+        return {plan.first_batch[at], plan.first_batch[at + 1]};
+    }
+    DistancePass<Real> pass_over(const Component& component) const {
+        return {.per_h2 = mover_.per_h * mover_.per_h,
+                .kept = last_ || component.goes_back() || world_.settings.iterations > 1 ||
+                        !solver_.blocks.attached_trees.empty(),
+                .last_substep = last_};
+    }
+    void note(const DistancePass<Real>& pass, const Component& component, std::uint32_t tile, std::uint32_t first,
+              std::uint32_t last) {
+        if (pass.overstretched && component.tethers > 0 && !component.is_crushed)
+            swept_.plan.tiles[component.first_tile + tile].overstretched = true;
+        if (pass.shortest < limit::shortest_link<Real>) part_heaps(first, last);
+    }
+    /// Visits a batch in parts without common particles, the last part first.
+    template <class Visit> static void each_disjoint_back(const LinkBatch& batch, Visit&& visit) {
+        const auto offset = batch.a < batch.b ? batch.b - batch.a : batch.a - batch.b;
+        if (batch.scattered || batch.count <= offset) return visit(batch);
+        for (auto end = batch.count; end > 0;) {
+            const auto begin = (end - 1) / offset * offset;
+            visit(part_of(batch, begin, end));
+            end = begin;
+        }
+    }
+    /// Links [first, last) of a batch that is not scattered.
+    static LinkBatch part_of(LinkBatch batch, std::uint32_t first, std::uint32_t last) {
+        batch.a += first, batch.b += first, batch.count = last - first;
+        batch.row += first * (batch.row_step == 0 ? 1 : batch.row_step);
+        batch.parameters += batch.uniform ? 0 : first;
+        return batch;
+    }
 
     void part_heaps(std::uint32_t first, std::uint32_t last) {
         auto& table = std::get<kind_number<Distance, D>>(world_.constraints);

@@ -1,0 +1,199 @@
+#include "sinew/solver/phases.h"
+
+#include "tests/flight.h"
+#include "tests/thorough.h"
+#include "tests/worlds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+/// No energy from nothing: kinetic plus potential energy of any figure never rises above what was put in, whatever its
+/// parameters, swept or solved directly, kicked, spun, dropped on a floor.
+namespace sinew::SINEW_TEST_FILE {
+namespace {
+
+using namespace test;
+
+/// Numbers that follow from a seed alone.
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : seed_(seed) {}
+    double share() { return random::uniform(seed_, next_++, 0); }
+    double between(double low, double high) { return low + (high - low) * share(); }
+    int below(int count) { return std::min(int(share() * count), count - 1); }
+    bool one_of(int count) { return below(count) == 0; }
+    /// Log-uniform.
+    double scale(double low, double high) { return low * std::pow(high / low, share()); }
+
+  private:
+    std::uint64_t seed_, next_ = 0;
+};
+
+/// Any value that a field allows: compliances from 0 and 1e-9 to 1, masses over six decades, lengths of one figure
+/// over one decade around a common size, counts as a test has time for. A third of the fields keep their defaults.
+struct AnyParameter {
+    Dice& dice;
+    int max_count;
+    double size = dice.scale(0.1, 10);
+
+    void operator()(int& value, const Field& field) const {
+        if (dice.one_of(3)) return;
+        const double low = std::max(field.low, 1.0);
+        value = int(dice.scale(low, std::max(low, std::min(field.high, double(max_count))) + 0.99));
+    }
+    void operator()(double& value, const Field& field) const {
+        const bool stays = dice.one_of(3);
+        if (field.unit == unit::length)
+            value *= size * (stays ? 1 : dice.scale(0.3, 3));
+        else if (stays)
+            return;
+        else if (field.unit == unit::mass)
+            value = std::max(value, 1e-3) * dice.scale(1e-3, 1e3);
+        else if (field.unit == unit::compliance)
+            value = dice.one_of(4) ? 0 : dice.scale(1e-9, 1);
+        else
+            value = any_of(field);
+        value = std::clamp(value, field.low, field.high);
+    }
+    double any_of(const Field& field) const {
+        constexpr double smallest = 1e-3, largest = 1e3;
+        if (field.low <= 0 && dice.one_of(3)) return std::max(field.low, 0.0);
+        const double value = dice.scale(std::max(field.low, smallest), std::min(field.high, largest));
+        return field.low < 0 && dice.one_of(2) ? -value : value;
+    }
+    void operator()(bool& value, const Field&) const { value = dice.one_of(2); }
+    void operator()(std::string& value, const Field& field) const {
+        if (!field.choices.empty()) value = field.choices[std::size_t(dice.below(int(field.choices.size())))];
+    }
+    void operator()(std::vector<double>&, const Field&) const {}
+};
+
+template <class Prefab> std::string text_of(const Prefab& prefab) {
+    std::ostringstream text;
+    text << Prefab::name;
+    Prefab::fields(const_cast<Prefab&>(prefab), [&](auto& member, const Field& field) {
+        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(member)>> ||
+                      std::is_same_v<std::remove_cvref_t<decltype(member)>, std::string>)
+            text << ' ' << field.name << '=' << member;
+    });
+    return text.str();
+}
+
+/// One figure or two of a kind, with any parameters, in motion.
+template <int D, class Real> struct Thrown {
+    Stepped<D, Real> world;
+    Dice dice;
+    std::string told;
+    double size = 0;
+    bool is_there = false;
+
+    template <class Prefab> Thrown(std::uint64_t seed, std::type_identity<Prefab>, int max_count) : dice(seed) {
+        constexpr std::size_t max_particles = 400;
+        Prefab prefab;
+        for (int tries = 0;; ++tries) {
+            prefab = {};
+            Prefab::fields(prefab, AnyParameter{dice, max_count});
+            if (!problem_of(prefab, D)) break;
+            if (tries > 50) return;
+        }
+        std::ostringstream text;
+        text << text_of(prefab);
+        world.settings.substeps = dice.one_of(2) ? 0 : int(dice.scale(1, 65));
+        world.settings.iterations = dice.one_of(2) ? 1 : 1 + dice.below(8);
+        world.forces.push_back(Gravity<D, Real>{Vec<D, Real>::axis(1) * Real(-gravity)});
+        build(world, prefab, "it", Placement<D, Real>{});
+        if (world.particles.size() < 2 || world.particles.size() > max_particles) return;
+        measure();
+        const bool pair = dice.one_of(4), floor = dice.one_of(2);
+        if (pair) build(world, prefab, "other", Placement<D, Real>{.at = at<Vec<D, Real>>(1.5 * size, 0.2 * size)});
+        const auto direct = dice.one_of(2) ? Direct::off : Direct::automatic;
+        for (auto& figure : world.figures) figure.direct = direct;
+        const bool held = !pair && dice.one_of(4);
+        if (!held)
+            while (!world.pins.empty()) unpin_all(world, world.pins[0].particle);
+        Real lowest = 1e30;
+        for (Row row = 0; row < world.particles.size(); ++row)
+            lowest = std::min(lowest, world.particles.position[row][1] - world.particles.radius[row]);
+        if (floor)
+            world.bounds.push_back({at<Vec<D, Real>>(0, 1), lowest - Real(dice.between(0.1, 1) * size), 0,
+                                    Real(dice.one_of(2) ? 0 : dice.between(0, 1))});
+        const double unit = std::sqrt(gravity * size);
+        // A tenth of a radian in a substep: directions turn between the ends of a faster one.
+        const double fastest = 0.1 * 60 * (world.settings.substeps > 0 ? world.settings.substeps : usual_substeps);
+        const double spin = dice.one_of(2) ? 0 : std::clamp(dice.between(-5, 5) * unit / size, -fastest, fastest);
+        const double approach = pair ? dice.between(0, 4) * unit : 0;
+        for (Row row = 0; row < world.particles.size(); ++row) {
+            const bool first = world.particles.figure[row] == 0;
+            auto arm = cast<double>(world.particles.position[row]);
+            if (!first) arm[0] -= 1.5 * size;
+            auto velocity = held ? Vec<D, double>{} : turned(arm) * spin;
+            velocity[0] += first ? approach : -approach;
+            set_velocity(world, world.particles.handles.id_of(row), cast<Real>(velocity));
+        }
+        if (dice.one_of(2)) { // kick of one particle
+            const auto row = Row(dice.below(int(world.particles.size())));
+            if (world.particles.mobility[row] > 0)
+                set_velocity(world, world.particles.handles.id_of(row),
+                             world.particles.velocity[row] + at<Vec<D, Real>>(dice.between(-3, 3) * unit, unit));
+        }
+        text << (pair ? ", a pair" : "") << (floor ? ", floor" : "") << (held ? ", held" : "")
+             << (direct == Direct::off ? ", swept" : "") << ", substeps " << world.settings.substeps << ", iterations "
+             << world.settings.iterations << ", spin " << spin << ", particles " << world.particles.size();
+        told = text.str();
+        is_there = !sinew::any_driven(static_cast<World<D, Real>&>(world));
+    }
+
+    void measure() {
+        Vec<D, double> low, high;
+        for (int i = 0; i < D; ++i) low[i] = 1e30, high[i] = -1e30;
+        for (Row row = 0; row < world.particles.size(); ++row)
+            for (int i = 0; i < D; ++i) {
+                const double x = double(world.particles.position[row][i]), r = double(world.particles.radius[row]);
+                low[i] = std::min(low[i], x - r), high[i] = std::max(high[i], x + r);
+            }
+        size = norm(high - low);
+    }
+
+    /// Largest rise of kinetic plus potential energy, of what the law allows for.
+    double gain(int steps) {
+        const auto begun = energy(world);
+        double mass = 0;
+        for (Row row = 0; row < world.particles.size(); ++row)
+            if (world.particles.mobility[row] > 0) mass += 1 / double(world.particles.inverse_mass[row]);
+        const double scale = std::max(begun.kinetic + begun.stored, mass * gravity * size);
+        double worst = 0;
+        for (int i = 0; i < steps; ++i) {
+            step(world, Real(1) / 60);
+            const auto now = energy(world);
+            const double rise = (now.kinetic + now.potential - begun.total()) / scale;
+            if (!(rise < worst)) worst = rise;
+            if (!(worst < 1e3)) break;
+        }
+        return worst;
+    }
+};
+
+template <class Type> struct Energy : ::testing::Test {};
+using Doubles = ::testing::Types<In<2, double>, In<3, double>>;
+TYPED_TEST_SUITE(Energy, Doubles, Names);
+
+TYPED_TEST(Energy, NeverRisesAboveWhatWasPutIn) {
+    constexpr int D = TypeParam::dimension;
+    using Real = typename TypeParam::Real;
+    constexpr double slight = 1e-3;
+    const int cases = few_or_many(1, 140), max_count = is_thorough() ? 200 : 40;
+    Prefabs::for_each([&]<class Prefab>(std::type_identity<Prefab> type) {
+        if constexpr (Prefab::dimensions.include(D)) {
+            for (int seed = 1; seed <= cases; ++seed) {
+                Thrown<D, Real> thrown(std::uint64_t(seed), type, max_count);
+                if (thrown.is_there) {
+                    EXPECT_LE(thrown.gain(60), slight) << "seed " << seed << ": " << thrown.told;
+                }
+            }
+        }
+    });
+}
+
+} // namespace
+} // namespace sinew::SINEW_TEST_FILE
