@@ -3,6 +3,7 @@
 #include "sinew/math/point.h"
 #include "sinew/math/record.h"
 #include "sinew/scene/figure_section.h"
+#include "sinew/scene/world_section.h"
 
 #include <array>
 #include <cstdint>
@@ -112,7 +113,9 @@ struct GustEvent {
     static constexpr std::string_view name = "gust";
     static constexpr std::string_view about = "A wind of limited duration.";
     Point velocity{};
-    double strength = 0.1;
+    std::optional<double> strength;
+    double density = 0;
+    double drag_coefficient = 1.2;
     double duration = 1;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -120,10 +123,12 @@ struct GustEvent {
               Field{.name = "gust", .help = "Velocity of the air", .unit = unit::speed, .required = true});
         visit(self.strength,
               Field{.name = "strength",
-                    .help = "Drag coefficient: force on a particle divided by its speed relative to the air",
+                    .help = "Force on each particle, whatever it belongs to, divided by its speed relative to the air; "
+                            "0.1 kg/s where neither it nor a density is given",
                     .unit = unit::drag,
                     .low = 0,
                     .high = 1e9});
+        air_fields(self, visit);
         visit(self.duration, Field{.name = "duration", .help = "Duration", .unit = unit::time, .low = 0, .high = 1e9});
     }
 };

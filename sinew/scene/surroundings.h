@@ -26,6 +26,17 @@ inline Integrator integrator_called(std::string_view name) {
     return Integrator(found - integrator_names.begin());
 }
 
+/// Wind of a force or an event: the same everywhere and always.
+template <int D, class Real, class Section> Wind<D, Real> wind_of(const Section& section, const Units& units) {
+    constexpr double usual = 0.1; // kg/s
+    const double strength = section.density > 0 ? 0 : usual * units.scale(unit::drag);
+    return {.velocity = section.velocity.template as<D, Real>(),
+            .strength = Real(section.strength.value_or(strength)),
+            .density = Real(section.density),
+            .drag_coefficient = Real(section.drag_coefficient),
+            .depth = Real(units.per_metre)};
+}
+
 /// Builds all of a world but the figures: rules, force fields, bounds and colliders.
 template <int D, class Real> class Surroundings {
   public:
@@ -88,12 +99,11 @@ template <int D, class Real> class Surroundings {
     Gravity<D, Real> field(const GravityForce& force) const { return {vector(force.acceleration)}; }
     Drag<D, Real> field(const DragForce& force) const { return {Real(force.strength)}; }
     Wind<D, Real> field(const WindForce& force) const {
-        return {.velocity = vector(force.velocity),
-                .strength = Real(force.strength),
-                .gust = vector(force.gust),
-                .gust_period = Real(force.gust_period),
-                .gust_size = Real(force.gust_size),
-                .seed = seed(force.seed)};
+        auto wind = wind_of<D, Real>(force, scene_.measures());
+        wind.gust = vector(force.gust);
+        wind.gust_period = Real(force.gust_period), wind.gust_size = Real(force.gust_size);
+        wind.seed = seed(force.seed);
+        return wind;
     }
     Attractor<D, Real> field(const AttractorForce& force) const {
         return {vector(force.center), Real(force.strength), Real(force.softness), figure_called(force.figure)};

@@ -86,11 +86,29 @@ struct DragForce {
     }
 };
 
+/// How air presses on areas, lines and balls.
+template <class Self, class Visit> void air_fields(Self& self, Visit& visit) {
+    visit(self.density, Field{.name = "density",
+                              .help = "Density of the air, 1.2 kg/m^3 at sea level: the wind presses on areas by the "
+                                      "angle to them, on lines by length and width (2D: by length), on balls by their "
+                                      "disc; 0: by strength alone",
+                              .unit = unit::density,
+                              .low = 0,
+                              .high = 1e6});
+    visit(self.drag_coefficient, Field{.name = "drag_coefficient",
+                                       .help = "Drag coefficient of what the air with a density presses on: 1.2 of a "
+                                               "plate across the wind",
+                                       .low = 0,
+                                       .high = 1e3});
+}
+
 struct WindForce {
     static constexpr std::string_view name = "wind";
     static constexpr std::string_view about = "Moving air that carries particles along, in gusts.";
     Point velocity{};
-    double strength = 0.1;
+    std::optional<double> strength;
+    double density = 0;
+    double drag_coefficient = 1.2;
     Point gust{};
     double gust_period = 1;
     double gust_size = 0;
@@ -101,10 +119,12 @@ struct WindForce {
               Field{.name = "velocity", .help = "Velocity of the air", .unit = unit::speed, .required = true});
         visit(self.strength,
               Field{.name = "strength",
-                    .help = "Drag coefficient: force on a particle divided by its speed relative to the air",
+                    .help = "Force on each particle, whatever it belongs to, divided by its speed relative to the air; "
+                            "0.1 kg/s where neither it nor a density is given",
                     .unit = unit::drag,
                     .low = 0,
                     .high = 1e9});
+        air_fields(self, visit);
         visit(self.gust,
               Field{.name = "gust", .help = "Largest change of the velocity in a gust", .unit = unit::speed});
         visit(self.gust_period, Field{.name = "gust_period",

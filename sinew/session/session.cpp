@@ -3,6 +3,7 @@
 #include "sinew/assert/assert.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/reader.h"
+#include "sinew/scene/surroundings.h"
 #include "sinew/scene/text.h"
 #include "sinew/session/collider_motion.h"
 #include "sinew/session/event_applier.h"
@@ -187,8 +188,7 @@ Session::Noted Session::apply(const GustEvent& gust, std::uint64_t) {
     std::visit(
         [&]<int D, class Real>(World<D, Real>& world) {
             blowing_.push_back({world.forces.size(), world.time + gust.duration});
-            world.forces.push_back(
-                Wind<D, Real>{.velocity = gust.velocity.template as<D, Real>(), .strength = Real(gust.strength)});
+            world.forces.push_back(wind_of<D, Real>(gust, scene_.measures()));
         },
         world_);
     return "";

@@ -43,8 +43,8 @@ template <class Archive, int D, class Real> void archive(Archive& at, Drag<D, Re
     archive(at, strength);
 }
 template <class Archive, int D, class Real> void archive(Archive& at, Wind<D, Real>& wind) {
-    auto& [velocity, strength, gust, gust_period, gust_size, seed] = wind;
-    archive_all(at, velocity, strength, gust, gust_period, gust_size, seed);
+    auto& [velocity, strength, gust, gust_period, gust_size, seed, density, coefficient, depth] = wind;
+    archive_all(at, velocity, strength, gust, gust_period, gust_size, seed, density, coefficient, depth);
 }
 template <class Archive, int D, class Real> void archive(Archive& at, Attractor<D, Real>& attractor) {
     auto& [center, strength, softness, figure] = attractor;

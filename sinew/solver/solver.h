@@ -20,6 +20,7 @@ template <int D, class Real> struct ContactRoom;
 template <int D, class Real> struct SleepRoom;
 template <int D, class Real> struct AloneRoom;
 struct DampedBodies;
+struct WindAreas;
 
 struct SolverOptions {
     int threads = 0;         ///< threads of a step; 0: the number of cores. Results do not depend on the number
@@ -41,6 +42,7 @@ template <int D, class Real> struct Solver {
     std::shared_ptr<SleepRoom<D, Real>> sleep;      ///< bodies that may fall asleep; none before the first
     std::shared_ptr<AloneRoom<D, Real>> alone;      ///< bodies that may be far from all others; none before the first
     std::shared_ptr<DampedBodies> damped;           ///< of figures with internal damping; none before the first
+    std::shared_ptr<WindAreas> wind_areas;          ///< what winds press on; none before the first
     std::vector<Vec<D, Real>> scratch;              ///< points and gradients of the widest constraint
     std::vector<char> torn;                         ///< by row of a table: to be removed at the end of the step
     std::vector<char> stays;                        ///< classic mode, by row: moved by the pin alone

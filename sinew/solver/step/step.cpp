@@ -15,6 +15,7 @@ template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& 
     if (world.settings.mode == Mode::classic) detail::make_room_for_widest(world, solver.scratch);
     hold_in_limits(world, solver);
     apply_random_pushes(world);
+    apply_winds(world, solver, dt);
     begin_touches(world, solver);
 }
 

@@ -1,0 +1,141 @@
+#include "sinew/scene/scene.h"
+#include "sinew/world/edit.h"
+#include "sinew/world/environment.h"
+#include "sinew/world/measure.h"
+
+#include "tests/stepped.h"
+#include "tests/worlds.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+/// Wind with a density: pressure on areas, lines and balls, F = 1/2 density drag_coefficient A |w| w.
+namespace sinew::SINEW_TEST_FILE {
+namespace {
+
+using namespace test;
+
+template <class Where> class Winds : public ::testing::Test {};
+TYPED_TEST_SUITE(Winds, Everywhere, Names);
+
+TYPED_TEST(Winds, BallFallsAtItsTerminalSpeed) {
+    for (const double rate : {60.0, 240.0}) {
+        typename TypeParam::World world;
+        using Real = typename TypeParam::World::Real;
+        using Vector = typename TypeParam::World::Vector;
+        constexpr int D = TypeParam::World::dimension;
+        set_gravity(world, at<Vector>(0, -9.81));
+        const double density = 1.2, coefficient = 0.5, radius = 0.2, mass = 2, depth = 3;
+        add_wind(world, {.density = Real(density), .drag_coefficient = Real(coefficient), .depth = Real(depth)});
+        const auto figure = add_figure(world, "ball");
+        const auto ball =
+            add_particle(world, {.mass = Real(mass), .radius = Real(radius), .figure = figure});
+        world.figures[figure].particles.push_back(ball);
+        run(world, 60, rate);
+        const double area = D == 3 ? std::numbers::pi * radius * radius : 2 * radius * depth;
+        const double speed = std::sqrt(2 * mass * 9.81 / (density * coefficient * area));
+        EXPECT_NEAR(-double((*velocity_of(world, ball))[1]), speed, 0.3 * 9.81 / rate) << rate; // half a step's gain
+    }
+}
+
+/// A world of a scene, after some seconds.
+template <class Seen> void after(const std::string& text, double seconds, Seen&& seen) {
+    auto document = load(text, "test", {});
+    auto opened = open_scene(document);
+    ASSERT_TRUE(opened) << to_text(document.diagnostics);
+    std::visit(
+        [&]<int D, class Real>(World<D, Real>& world) {
+            Solver<D, Real> solver;
+            const double dt = std::min(seconds, 1.0 / 60);
+            for (int i = 0; i < int(seconds / dt + 0.5); ++i) solver.step(world, Real(dt));
+            seen(world);
+        },
+        opened->world);
+}
+
+/// Total force of the wind on a plate of 1.8 m^2, from its momentum after a hundredth of a millisecond.
+Vec3<double> force_on_plate(const std::string& drawn, double angle, int columns) {
+    Vec3<double> force{};
+    const double spacing = 1.8 / (columns - 1);
+    after(fmt::format(R"({{"sinew": 1, "dimension": 3, "world": {{"gravity": [0, 0, 0],
+              "forces": [{{"force": "wind", "velocity": [{}, 0, {}], "density": 1.5, "drag_coefficient": 1.1}}]}},
+              "figures": [{{"prefab": "cloth", "columns": {}, "rows": {}, "spacing": {}, "pins": "none",
+                           "drawn": "{}"}}]}})",
+                      10 * std::sin(angle), 10 * std::cos(angle), columns, (columns - 1) * 5 / 9 + 1, spacing, drawn),
+          1e-5, [&]<int D, class Real>(const World<D, Real>& world) {
+              const auto momentum = test::momentum(world);
+              for (int k = 0; k < D; ++k) force[k] = double(momentum[k]) * 1e5;
+          });
+    return force;
+}
+
+TEST(Wind, PlateIsPressedByTheAngleAlongItsNormal) {
+    for (const auto* drawn : {"fill", "threads"})
+        for (const int columns : {10, 37})
+            for (const double angle : {0.0, 0.5, 1.0, std::numbers::pi / 2}) {
+                const auto force = force_on_plate(drawn, angle, columns);
+                const double along = 0.5 * 1.5 * 1.1 * 1.8 * std::pow(10 * std::cos(angle), 2);
+                EXPECT_NEAR(force[2], along, 2e-3 * along + 1e-9) << drawn << columns << " at " << angle;
+                EXPECT_NEAR(force[0], 0, 1e-6) << drawn << columns << " at " << angle;
+                EXPECT_NEAR(force[1], 0, 1e-6) << drawn << columns << " at " << angle;
+            }
+}
+
+/// Angle from the vertical at which a figure hangs in the wind.
+double lean(int dimension, const std::string& figure, const std::string& wind) {
+    double angle = 0;
+    after(fmt::format(R"({{"sinew": 1, "dimension": {}, "world": {{"gravity": [0, -9.81], "damping": 1,
+              "forces": [{{"force": "wind", {}, "density": 1.2}}]}}, "figures": [{}]}})",
+                      dimension, wind, figure),
+          20, [&](const auto& world) {
+              const auto center = center_of_mass(world);
+              angle = std::atan2(std::hypot(double(center[0]), dimension == 3 ? double(center[2]) : 0.0),
+                                 -double(center[1]));
+          });
+    return angle;
+}
+
+TEST(Wind, FlagLeansAlikeHoweverFine) {
+    for (const int dimension : {2, 3})
+        for (const auto* drawn : {"fill", "threads"}) {
+            const auto flag = [&](int columns) {
+                return lean(dimension,
+                            fmt::format(R"({{"prefab": "cloth", "at": [-0.9, 0], "columns": {}, "rows": {}, "mass": 0.5,
+                                        "spacing": {}, "drawn": "{}"}})",
+                                        columns, columns, 1.8 / (columns - 1), drawn),
+                            dimension == 3 ? R"("velocity": [0, 0, 1.5])" : R"("velocity": [1, 0])");
+            };
+            const double coarse = flag(10), fine = flag(37);
+            EXPECT_GT(fine, 0.03) << dimension << drawn;
+            EXPECT_NEAR(coarse, fine, 0.1 * fine) << dimension << drawn;
+        }
+}
+
+TEST(Wind, RopeLeansAlikeHoweverFine) {
+    for (const int dimension : {2, 3}) {
+        const auto rope = [&](int segments) {
+            return lean(dimension,
+                        fmt::format(R"({{"prefab": "rope", "angle": -90, "length": 2, "segments": {}, "mass": 0.5,
+                                    "thickness": 0.03}})",
+                                    segments),
+                        dimension == 3 ? R"("velocity": [12, 0, 0])" : R"("velocity": [2, 0])");
+        };
+        const double coarse = rope(10), fine = rope(37);
+        EXPECT_GT(fine, 0.05) << dimension;
+        EXPECT_NEAR(coarse, fine, 0.1 * fine) << dimension;
+    }
+}
+
+TEST(Wind, NothingBlowsUpHoweverLight) {
+    after(R"({"sinew": 1, "dimension": 3, "world": {"gravity": [0, -9.81],
+              "forces": [{"force": "wind", "velocity": [30, 0, 40], "density": 1000, "gust": [20, 20, 20]}]},
+              "figures": [{"prefab": "cloth", "columns": 12, "rows": 12, "mass": 1e-6, "pins": "corners"},
+                          {"prefab": "rope", "at": [5, 0], "mass": 1e-6}]})",
+          5, [&](const auto& world) {
+              for (const auto& velocity : world.particles.velocity) EXPECT_LT(double(norm(velocity)), 500);
+          });
+}
+
+} // namespace
+} // namespace sinew::SINEW_TEST_FILE
