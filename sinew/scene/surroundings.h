@@ -34,7 +34,7 @@ template <int D, class Real, class Section> Wind<D, Real> wind_of(const Section&
             .strength = Real(section.strength.value_or(strength)),
             .density = Real(section.density),
             .drag_coefficient = Real(section.drag_coefficient),
-            .depth = Real(units.per_metre)};
+            .metre = Real(units.per_metre)};
 }
 
 /// Builds all of a world but the figures: rules, force fields, bounds and colliders.

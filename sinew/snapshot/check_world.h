@@ -195,7 +195,7 @@ template <int D, class Real> class WorldCheck {
         within("forces", double(wind.gust_size), 0, double(most));
         within("forces", double(wind.density), 0, double(most));
         within("forces", double(wind.drag_coefficient), 0, double(most));
-        within("forces", double(wind.depth), 0, double(most));
+        within("forces", double(wind.metre), 0, double(most));
     }
     void check_force(const Attractor<D, Real>& attractor) {
         finite_force(attractor.center), finite_force(attractor.strength);

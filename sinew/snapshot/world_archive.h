@@ -43,8 +43,8 @@ template <class Archive, int D, class Real> void archive(Archive& at, Drag<D, Re
     archive(at, strength);
 }
 template <class Archive, int D, class Real> void archive(Archive& at, Wind<D, Real>& wind) {
-    auto& [velocity, strength, gust, gust_period, gust_size, seed, density, coefficient, depth] = wind;
-    archive_all(at, velocity, strength, gust, gust_period, gust_size, seed, density, coefficient, depth);
+    auto& [velocity, strength, gust, gust_period, gust_size, seed, density, coefficient, metre] = wind;
+    archive_all(at, velocity, strength, gust, gust_period, gust_size, seed, density, coefficient, metre);
 }
 template <class Archive, int D, class Real> void archive(Archive& at, Attractor<D, Real>& attractor) {
     auto& [center, strength, softness, figure] = attractor;
@@ -193,7 +193,7 @@ template <class Archive> void archive(Archive& at, Piece& piece) {
 }
 template <class Archive> void archive(Archive& at, Figure& figure) {
     auto& [name, prefab, particles, constraints, particle_names, constraint_names, particle_numbers, constraint_numbers,
-           pieces, fragments, direct, integrator, tethers, quarantined, filter, collides, touches_itself, cloth,
+           pieces, fragments, direct, integrator, tethers, quarantined, faces_wind, filter, collides, touches_itself, cloth,
            friction, bounce, wall_friction, internal_damping, generation] = figure;
     archive_all(at, name, prefab, particles, constraints, particle_names, constraint_names, particle_numbers,
                 constraint_numbers, pieces, fragments, direct, integrator, tethers, filter, collides, touches_itself,

@@ -17,9 +17,10 @@ template <int D, class Real> struct Drag {
     Real strength = 0; ///< force per velocity
 };
 
-/// Moving air: F = strength (u - v) on each particle, where u = velocity + gust * noise. The noise is smooth in time,
-/// travels with the wind, lies in [-1, 1] and is a pure function of the seed. With a density it presses on what it
-/// meets, too: F = 1/2 density drag_coefficient A |w| w.
+/// Moving air: F = strength w, w = u - v, on each particle, where u = velocity + gust * noise. The noise is smooth in time,
+/// travels with the wind, lies in [-1, 1] and is a pure function of the seed. In physical mode it acts on cloth by its
+/// area, across it, strength for each 0.01 m^2. With a density it presses on what it meets, too: F = 1/2 density
+/// drag_coefficient A |w| w.
 template <int D, class Real> struct Wind {
     Vec<D, Real> velocity{};
     Real strength = 0;    ///< force per velocity
@@ -29,7 +30,7 @@ template <int D, class Real> struct Wind {
     std::uint64_t seed = 0;
     Real density = 0; ///< mass / length^3: above 0 the wind presses on areas, lines and balls (solver/step/wind.cpp)
     Real drag_coefficient = Real(1.2); ///< of those, >= 0: 1.2 for a plate
-    Real depth = 1;                    ///< 2D: extent of lines and balls across the picture, length
+    Real metre = 1;                    ///< length; 2D: of lines and balls across the picture
 };
 
 /// Attraction to a point, repulsion if strength is negative: a = -strength d / (|d|^2 + softness^2)^(3/2), d = x -

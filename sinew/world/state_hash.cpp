@@ -64,9 +64,9 @@ class Digest {
     template <int D, class Real> void add_field(const Gravity<D, Real>& gravity) { add(gravity.acceleration); }
     template <int D, class Real> void add_field(const Drag<D, Real>& drag) { add(drag.strength); }
     template <int D, class Real> void add_field(const Wind<D, Real>& wind) {
-        const auto& [velocity, strength, gust, gust_period, gust_size, seed, density, coefficient, depth] = wind;
+        const auto& [velocity, strength, gust, gust_period, gust_size, seed, density, coefficient, metre] = wind;
         add(velocity, strength, gust, gust_period, gust_size, seed);
-        if (density > Real(0)) add(density, coefficient, depth);
+        if (density > Real(0)) add(density, coefficient, metre);
     }
     template <int D, class Real> void add_field(const Attractor<D, Real>& attractor) {
         const auto& [center, strength, softness, figure] = attractor;

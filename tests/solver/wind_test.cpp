@@ -27,7 +27,7 @@ TYPED_TEST(Winds, BallFallsAtItsTerminalSpeed) {
         constexpr int D = TypeParam::World::dimension;
         set_gravity(world, at<Vector>(0, -9.81));
         const double density = 1.2, coefficient = 0.5, radius = 0.2, mass = 2, depth = 3;
-        add_wind(world, {.density = Real(density), .drag_coefficient = Real(coefficient), .depth = Real(depth)});
+        add_wind(world, {.density = Real(density), .drag_coefficient = Real(coefficient), .metre = Real(depth)});
         const auto figure = add_figure(world, "ball");
         const auto ball =
             add_particle(world, {.mass = Real(mass), .radius = Real(radius), .figure = figure});

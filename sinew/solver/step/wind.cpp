@@ -11,14 +11,14 @@
 ///     F = 1/2 density drag_coefficient A |w| w,    w = velocity of the air relative to the patch, along its normal,
 ///                                                  across the line, or whole for a ball
 ///
-/// A force that grows with a speed is taken at the end of the step, F / (1 + dt rate), area after area as the ones before
+/// and on a patch, strength A w / (0.1 m)^2. A force that grows with a speed is taken at the end of the step, F / (1 + dt rate), area after area as the ones before
 /// have changed the velocities: no step is too long. A patch in 2D is seen from the broad side: it takes the whole w.
 namespace sinew {
 namespace {
 
 template <int D, class Real> class WindAreaFinder {
   public:
-    WindAreaFinder(const World<D, Real>& world, WindAreas& areas) : world_(world), p_(world.particles), areas_(areas) {}
+    WindAreaFinder(World<D, Real>& world, WindAreas& areas) : world_(world), p_(world.particles), areas_(areas) {}
 
     void find() {
         areas_.list.clear();
@@ -29,16 +29,17 @@ template <int D, class Real> class WindAreaFinder {
     }
 
   private:
-    const World<D, Real>& world_;
+    World<D, Real>& world_;
     const Particles<D, Real>& p_;
     WindAreas& areas_;
 
     void find(FigureIndex index) {
-        const auto& figure = world_.figures[index];
+        auto& figure = world_.figures[index];
         const auto before = areas_.list.size();
         for (const auto& piece : figure.pieces)
             if (!piece.hidden) add_area(index, piece);
         if (areas_.list.size() == before) add_nets(figure);
+        figure.faces_wind = world_.settings.mode == Mode::physical && areas_.list.size() > before;
         if (areas_.list.size() == before)
             for (const auto& piece : figure.pieces)
                 if (!piece.hidden) add_lines(piece);
@@ -134,7 +135,10 @@ template <int D, class Real> class WindPress {
   public:
     WindPress(World<D, Real>& world, const Wind<D, Real>& wind, Real dt)
         : world_(world), p_(world.particles), wind_(wind), dt_(dt),
-          half_(Real(0.5) * wind.density * wind.drag_coefficient) {}
+          half_(Real(0.5) * wind.density * wind.drag_coefficient),
+          per_area_(world.settings.mode == Mode::physical
+                        ? wind.strength * inverse_or_zero(square(Real(0.1) * wind.metre))
+                        : Real(0)) {}
 
     void press(const WindArea& area) {
         const auto rows = std::span(area.rows).first(area.count);
@@ -148,7 +152,8 @@ template <int D, class Real> class WindPress {
             give += p_.inverse_mass[row] * square(share);
         }
         const auto [size, wind] = met(area, wind_at(wind_, middle, world_.time) - velocity);
-        const Real rate = clamp(half_ * size * norm(wind), Real(0), limit::measure<Real>);
+        const Real linear = area.count > 2 || area.shape == WindArea::Shape::fragment ? per_area_ : Real(0);
+        const Real rate = clamp((half_ * norm(wind) + linear) * size, Real(0), limit::measure<Real>);
         const auto force = wind * (rate / (Real(1) + dt_ * rate * give) * share);
         for (const Row row : rows) p_.force[row] += clamp_components(force, limit::force<Real>);
     }
@@ -158,7 +163,7 @@ template <int D, class Real> class WindPress {
     World<D, Real>& world_;
     Particles<D, Real>& p_;
     const Wind<D, Real>& wind_;
-    Real dt_, half_;
+    Real dt_, half_, per_area_;
 
     struct Met {
         Real area = 0;
@@ -171,12 +176,12 @@ template <int D, class Real> class WindPress {
         case WindArea::Shape::line: {
             const auto along = at(area, 1) - at(area, 0);
             const auto axis = direction(along);
-            return {norm(along) * (D == 3 ? Real(area.width) : wind_.depth), wind - axis * dot(axis, wind)};
+            return {norm(along) * (D == 3 ? Real(area.width) : wind_.metre), wind - axis * dot(axis, wind)};
         }
         case WindArea::Shape::ball: break;
         }
         const Real width = Real(area.width);
-        return {D == 3 ? Real(0.25 * pi<double>) * square(width) : width * wind_.depth, wind};
+        return {D == 3 ? Real(0.25 * pi<double>) * square(width) : width * wind_.metre, wind};
     }
     Met on_area(const Vec3<Real>& area, const Vector& wind) const {
         const Real size = norm(area);
@@ -214,10 +219,7 @@ template <int D, class Real> class WindPress {
 } // namespace
 
 template <int D, class Real> void apply_winds(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
-    const auto presses = [](const Force<D, Real>& force) {
-        const auto* wind = std::get_if<Wind<D, Real>>(&force);
-        return wind && wind->density > Real(0) && wind->drag_coefficient > Real(0);
-    };
+    const auto presses = [](const Force<D, Real>& force) { return std::holds_alternative<Wind<D, Real>>(force); };
     if (std::none_of(world.forces.begin(), world.forces.end(), presses)) return solver.wind_areas.reset();
     const bool is_new = !solver.wind_areas;
     if (is_new) solver.wind_areas = std::make_shared<WindAreas>();

@@ -24,6 +24,9 @@ template <int D, class Real> struct Adder {
     void operator()(const Gravity<D, Real>& gravity) const { accelerate(gravity.acceleration); }
     void operator()(const Drag<D, Real>& drag) const { forcing.drag_rate += rate(drag.strength); }
     void operator()(const Wind<D, Real>& wind) const {
+        if (const auto index = world.particles.figure[row];
+            index < world.figures.size() && world.figures[index].faces_wind)
+            return; // acts on areas: apply_winds
         accelerate(wind_at(wind, position, world.time) * rate(wind.strength));
         forcing.drag_rate += rate(wind.strength);
     }
