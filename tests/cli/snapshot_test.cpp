@@ -1,4 +1,5 @@
 #include "tests/cli/command.h"
+#include "tests/paths.h"
 
 #include <filesystem>
 #include <fstream>
@@ -14,6 +15,10 @@ using nlohmann::json;
 
 std::string scratch(const std::string& name) {
     return (std::filesystem::path(testing::TempDir()) / ("sinew_snapshot_" + name)).string();
+}
+
+std::string ragdoll() {
+    return std::string(test::scenes_dir()) + "/ragdoll.json";
 }
 
 std::string bytes_of(const std::string& path) {
@@ -36,10 +41,10 @@ std::string hash_of(const Arguments& arguments) {
 
 TEST(SavedRun, GoesOnAsIfItHadNeverStopped) {
     const auto path = scratch("at.sinew");
-    const auto whole = hash_of({"run", "ragdoll", "--seconds", "2"});
-    ASSERT_EQ(sinew({"run", "ragdoll", "--save", path, "--at", "0.7"}).code, 0);
+    const auto whole = hash_of({"run", ragdoll(), "--seconds", "2"});
+    ASSERT_EQ(sinew({"run", ragdoll(), "--save", path, "--at", "0.7"}).code, 0);
     EXPECT_EQ(hash_of({"run", path, "--seconds", "2"}), whole);
-    EXPECT_EQ(hash_of({"run", "ragdoll", "--save", path, "--at", "1", "--seconds", "2"}), whole);
+    EXPECT_EQ(hash_of({"run", ragdoll(), "--save", path, "--at", "1", "--seconds", "2"}), whole);
     EXPECT_EQ(hash_of({"run", path, "--seconds", "2", "--threads", "3"}), whole);
     const auto twice = scratch("twice.sinew");
     ASSERT_EQ(sinew({"run", path, "--save", twice, "--at", "1.5"}).code, 0);
@@ -48,7 +53,7 @@ TEST(SavedRun, GoesOnAsIfItHadNeverStopped) {
 
 TEST(SavedRun, ThatIsDamagedIsRefusedWithThePlace) {
     const auto path = scratch("damaged.sinew");
-    ASSERT_EQ(sinew({"run", "ragdoll", "--save", path, "--at", "0.5"}).code, 0);
+    ASSERT_EQ(sinew({"run", ragdoll(), "--save", path, "--at", "0.5"}).code, 0);
     const auto whole = bytes_of(path);
     for (const auto& [bytes, words] :
          {std::pair{whole.substr(0, whole.size() / 2), "ends within"},
@@ -61,17 +66,17 @@ TEST(SavedRun, ThatIsDamagedIsRefusedWithThePlace) {
     }
     write(path, whole);
     EXPECT_EQ(sinew({"run", path, "solver.substeps=3"}).code, 2);
-    EXPECT_EQ(sinew({"run", "ragdoll", "--at", "1"}).code, 2);
-    EXPECT_EQ(sinew({"run", "ragdoll", "--save", "/no/such\x01/folder/at.sinew", "--at", "0.1"}).code, 1);
+    EXPECT_EQ(sinew({"run", ragdoll(), "--at", "1"}).code, 2);
+    EXPECT_EQ(sinew({"run", ragdoll(), "--save", "/no/such\x01/folder/at.sinew", "--at", "0.1"}).code, 1);
 }
 
 TEST(Recordings, AreReplayedAndTellWhereTheyPart) {
     const auto path = scratch("run.rec");
-    ASSERT_EQ(sinew({"record", "ragdoll", "-o", path, "--seconds", "1"}).code, 0);
+    ASSERT_EQ(sinew({"record", ragdoll(), "-o", path, "--seconds", "1"}).code, 0);
     const auto same = sinew({"replay", path, "--json"});
     ASSERT_EQ(same.code, 0) << same.err;
     EXPECT_TRUE(json::parse(same.last_line())["same"].get<bool>());
-    EXPECT_EQ(json::parse(same.last_line())["hash"], hash_of({"run", "ragdoll", "--seconds", "1"}));
+    EXPECT_EQ(json::parse(same.last_line())["hash"], hash_of({"run", ragdoll(), "--seconds", "1"}));
     const auto whole = bytes_of(path);
     write(path, whole.substr(0, whole.size() - 3));
     const auto early = sinew({"replay", path});
@@ -83,14 +88,14 @@ TEST(Recordings, AreReplayedAndTellWhereTheyPart) {
     const auto refused = sinew({"replay", path});
     EXPECT_EQ(refused.code, 1);
     EXPECT_TRUE(has(refused.err, "damaged"));
-    EXPECT_EQ(sinew({"record", "ragdoll"}).code, 2) << "where to?";
+    EXPECT_EQ(sinew({"record", ragdoll()}).code, 2) << "where to?";
 }
 
 TEST(Recordings, OfAKilledProgramAreWholeUpToThere) {
     const auto path = scratch("killed.rec");
     std::filesystem::remove(path);
     {
-        Running running({"record", "ragdoll", "-o", path, "--seconds", "100000"}, {});
+        Running running({"record", ragdoll(), "-o", path, "--seconds", "100000"}, {});
         while (!std::filesystem::exists(path) || std::filesystem::file_size(path) < 5000) {
         }
         running.kill();

@@ -64,8 +64,8 @@ Vec3<double> force_on_plate(const std::string& drawn, double angle, int columns)
                            "drawn": "{}"}}]}})",
                       10 * std::sin(angle), 10 * std::cos(angle), columns, (columns - 1) * 5 / 9 + 1, spacing, drawn),
           1e-5, [&]<int D, class Real>(const World<D, Real>& world) {
-              const auto momentum = test::momentum(world);
-              for (int k = 0; k < D; ++k) force[k] = double(momentum[k]) * 1e5;
+              const auto total = momentum(world);
+              for (int k = 0; k < D; ++k) force[k] = double(total[k]) * 1e5;
           });
     return force;
 }

@@ -116,7 +116,12 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
             found->surface = *surface;
             if (add_rows_over_face(s, index, before, *found)) return;
         }
-        if (found->t > Real(0) && found->t < Real(1)) add_link_row(s, index, *found, 0);
+        if (is_between_ends(found->t)) add_link_row(s, index, *found, 0);
+    }
+    /// Ends have rows of their own. A row a rounding error beside a pinned end would push with the inverse of that error.
+    static bool is_between_ends(Real t) {
+        constexpr Real end = Real(1e-3);
+        return t > end && t < Real(1) - end;
     }
     /// Part of the contact of a link with a solid that no other collider covers.
     std::optional<collide::SurfacePoint<D, Real>> exposed(const ContactSegment& s,
@@ -147,10 +152,12 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         if (!over || !(over->low <= over->high)) return false;
         const auto face = pose.turn(over->normal), along = direction(b - a);
         const auto normal = direction(face - along * dot(face, along));
+        constexpr Real flat = Real(0.9); // cosine of 26 degrees: a steeper link touches at one point
+        if (dot(face, normal) < flat) return false;
         for (const Real t : {over->low, over->high}) {
             const auto point = a + (b - a) * t;
             const Real height = dot(face, point - pose.position) - over->offset;
-            if (t > Real(0) && t < Real(1))
+            if (is_between_ends(t))
                 add_link_row(s, index, {t, {point - face * height, normal, height * dot(face, normal), 0}},
                              t == over->low ? 0 : 1);
         }
