@@ -29,8 +29,7 @@ TYPED_TEST(Winds, BallFallsAtItsTerminalSpeed) {
         const double density = 1.2, coefficient = 0.5, radius = 0.2, mass = 2, depth = 3;
         add_wind(world, {.density = Real(density), .drag_coefficient = Real(coefficient), .metre = Real(depth)});
         const auto figure = add_figure(world, "ball");
-        const auto ball =
-            add_particle(world, {.mass = Real(mass), .radius = Real(radius), .figure = figure});
+        const auto ball = add_particle(world, {.mass = Real(mass), .radius = Real(radius), .figure = figure});
         world.figures[figure].particles.push_back(ball);
         run(world, 60, rate);
         const double area = D == 3 ? std::numbers::pi * radius * radius : 2 * radius * depth;

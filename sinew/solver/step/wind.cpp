@@ -5,14 +5,15 @@
 
 #include <algorithm>
 
-/// Wind on areas: the pressure of the air on a patch by the angle at which it strikes, on a line by its length, width and
-/// the flow across it, on a ball by its disc (White, "Fluid Mechanics", section 7.6):
+/// Wind on areas: the pressure of the air on a patch by the angle at which it strikes, on a line by its length, width
+/// and the flow across it, on a ball by its disc (White, "Fluid Mechanics", section 7.6):
 ///
 ///     F = 1/2 density drag_coefficient A |w| w,    w = velocity of the air relative to the patch, along its normal,
 ///                                                  across the line, or whole for a ball
 ///
-/// and on a patch, strength A w / (0.1 m)^2. A force that grows with a speed is taken at the end of the step, F / (1 + dt rate), area after area as the ones before
-/// have changed the velocities: no step is too long. A patch in 2D is seen from the broad side: it takes the whole w.
+/// and on a patch, strength A w / (0.1 m)^2. A force that grows with a speed is taken at the end of the step, F / (1 +
+/// dt rate), area after area as the ones before have changed the velocities: no step is too long. A patch in 2D is seen
+/// from the broad side: it takes the whole w.
 namespace sinew {
 namespace {
 
@@ -111,7 +112,8 @@ template <int D, class Real> class WindAreaFinder {
         if (!is_line) return;
         for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ids.size(); ++i) {
             WindArea area{.shape = WindArea::Shape::line, .count = 2, .width = piece.width};
-            if (take(area.rows[0], ids[i]) && take(area.rows[1], ids[(i + 1) % ids.size()])) areas_.list.push_back(area);
+            if (take(area.rows[0], ids[i]) && take(area.rows[1], ids[(i + 1) % ids.size()]))
+                areas_.list.push_back(area);
         }
     }
     void add_balls(const Figure& figure) {
@@ -171,14 +173,17 @@ template <int D, class Real> class WindPress {
     };
     Met met(const WindArea& area, const Vector& wind) const {
         switch (area.shape) {
-        case WindArea::Shape::patch: return on_area(area_vector(area), wind);
-        case WindArea::Shape::fragment: return on_area(area_of_fragment(area), wind);
+        case WindArea::Shape::patch:
+            return on_area(area_vector(area), wind);
+        case WindArea::Shape::fragment:
+            return on_area(area_of_fragment(area), wind);
         case WindArea::Shape::line: {
             const auto along = at(area, 1) - at(area, 0);
             const auto axis = direction(along);
             return {norm(along) * (D == 3 ? Real(area.width) : wind_.metre), wind - axis * dot(axis, wind)};
         }
-        case WindArea::Shape::ball: break;
+        case WindArea::Shape::ball:
+            break;
         }
         const Real width = Real(area.width);
         return {D == 3 ? Real(0.25 * pi<double>) * square(width) : width * wind_.metre, wind};
