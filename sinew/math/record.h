@@ -36,7 +36,7 @@ inline constexpr Unit speed{.length = 1, .time = -1};
 inline constexpr Unit acceleration{.length = 1, .time = -2};
 inline constexpr Unit force{.length = 1, .mass = 1, .time = -2};
 inline constexpr Unit impulse{.length = 1, .mass = 1, .time = -1};
-inline constexpr Unit drag{.mass = 1, .time = -1};       ///< force / speed
+inline constexpr Unit drag{.mass = 1, .time = -1}; ///< force / speed
 inline constexpr Unit density{.length = -3, .mass = 1};
 inline constexpr Unit compliance{.mass = -1, .time = 2}; ///< length / force: 1/k of a spring
 } // namespace unit

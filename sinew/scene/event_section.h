@@ -123,8 +123,9 @@ struct GustEvent {
               Field{.name = "gust", .help = "Velocity of the air", .unit = unit::speed, .required = true});
         visit(self.strength,
               Field{.name = "strength",
-                    .help = "Force on each particle divided by its speed relative to the air; on cloth on each 0.01 m^2, "
-                            "across it (physical mode). 0.1 kg/s where neither it nor a density is given",
+                    .help =
+                        "Force on each particle divided by its speed relative to the air; on cloth on each 0.01 m^2, "
+                        "across it (physical mode). 0.1 kg/s where neither it nor a density is given",
                     .unit = unit::drag,
                     .low = 0,
                     .high = 1e9});

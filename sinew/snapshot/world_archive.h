@@ -193,8 +193,8 @@ template <class Archive> void archive(Archive& at, Piece& piece) {
 }
 template <class Archive> void archive(Archive& at, Figure& figure) {
     auto& [name, prefab, particles, constraints, particle_names, constraint_names, particle_numbers, constraint_numbers,
-           pieces, fragments, direct, integrator, tethers, quarantined, faces_wind, filter, collides, touches_itself, cloth,
-           friction, bounce, wall_friction, internal_damping, generation] = figure;
+           pieces, fragments, direct, integrator, tethers, quarantined, faces_wind, filter, collides, touches_itself,
+           cloth, friction, bounce, wall_friction, internal_damping, generation] = figure;
     archive_all(at, name, prefab, particles, constraints, particle_names, constraint_names, particle_numbers,
                 constraint_numbers, pieces, fragments, direct, integrator, tethers, filter, collides, touches_itself,
                 cloth, friction, bounce, wall_friction, internal_damping, generation);

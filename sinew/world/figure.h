@@ -105,7 +105,7 @@ struct Figure {
     std::optional<Integrator> integrator{}; ///< in classic mode; nothing: the integrator of the rules
     bool tethers = false;                   ///< long-range attachments to the figure's pins (plan.h)
     bool quarantined = false;
-    bool faces_wind = false;   ///< winds press on its areas instead of its particles; found by the solver
+    bool faces_wind = false;     ///< winds press on its areas instead of its particles; found by the solver
     collide::Filter filter{};    ///< layers of the particles, and the layers that these touch
     bool collides = false;       ///< particles and links touch those of others that collide; direct while alone
     bool touches_itself = false; ///< likewise with each other, except for neighbours on a link

@@ -17,9 +17,9 @@ template <int D, class Real> struct Drag {
     Real strength = 0; ///< force per velocity
 };
 
-/// Moving air: F = strength w, w = u - v, on each particle, where u = velocity + gust * noise. The noise is smooth in time,
-/// travels with the wind, lies in [-1, 1] and is a pure function of the seed. In physical mode it acts on cloth by its
-/// area, across it, strength for each 0.01 m^2. With a density it presses on what it meets, too: F = 1/2 density
+/// Moving air: F = strength w, w = u - v, on each particle, where u = velocity + gust * noise. The noise is smooth in
+/// time, travels with the wind, lies in [-1, 1] and is a pure function of the seed. In physical mode it acts on cloth
+/// by its area, across it, strength for each 0.01 m^2. With a density it presses on what it meets, too: F = 1/2 density
 /// drag_coefficient A |w| w.
 template <int D, class Real> struct Wind {
     Vec<D, Real> velocity{};

@@ -1,11 +1,13 @@
 #include "tests/cli/command.h"
 #include "tests/paths.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 /// `run --save`, `record`, `replay` and `diff`.
 namespace sinew::cli_test::SINEW_TEST_FILE {
@@ -96,8 +98,12 @@ TEST(Recordings, OfAKilledProgramAreWholeUpToThere) {
     std::filesystem::remove(path);
     {
         Running running({"record", ragdoll(), "-o", path, "--seconds", "100000"}, {});
-        while (!std::filesystem::exists(path) || std::filesystem::file_size(path) < 5000) {
-        }
+        const auto is_under_way = [&] {
+            return std::filesystem::exists(path) && std::filesystem::file_size(path) >= 5000;
+        };
+        for (int tries = 0; tries < 2000 && !is_under_way(); ++tries)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        EXPECT_TRUE(is_under_way());
         running.kill();
         running.wait();
     }

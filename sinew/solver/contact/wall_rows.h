@@ -118,7 +118,8 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         }
         if (is_between_ends(found->t)) add_link_row(s, index, *found, 0);
     }
-    /// Ends have rows of their own. A row a rounding error beside a pinned end would push with the inverse of that error.
+    /// Ends have rows of their own. A row a rounding error beside a pinned end would push with the inverse of that
+    /// error.
     static bool is_between_ends(Real t) {
         constexpr Real end = Real(1e-3);
         return t > end && t < Real(1) - end;
