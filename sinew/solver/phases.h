@@ -22,7 +22,8 @@ template <int D, class Real> Forcing<D, Real> forcing_on(const World<D, Real>& w
 
 /// sweep/forces.cpp: hands out the forces that strike one particle a step, into particles.force.
 template <int D, class Real> void apply_random_pushes(World<D, Real>& world);
-/// step/wind.cpp: adds what winds with a density press with, into particles.force.
+/// step/wind.cpp: finds the areas, lines and balls that winds press on; adds the pressure, into particles.force.
+template <int D, class Real> void find_wind_areas(World<D, Real>& world, Solver<D, Real>& solver);
 template <int D, class Real> void apply_winds(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 /// Zeroes particles.force, which acts during one step.
 template <int D, class Real> void forget_forces(World<D, Real>& world);

@@ -257,6 +257,7 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     if (world.settings.mode == Mode::classic) stays.reserve(world.particles.size());
     reserve_for_tears(world, *this);
     list_bodies(world, *this);
+    if (!wind_areas) find_wind_areas(world, *this);
     report(0);
     const bool anew = BlockFinder(world, *this).run();
     const auto parts = std::size_t(detail::parts_in_lanes(options.threads));

@@ -223,24 +223,30 @@ template <int D, class Real> class WindPress {
 
 } // namespace
 
+template <int D, class Real> void find_wind_areas(World<D, Real>& world, Solver<D, Real>& solver) {
+    const auto blows = [](const Force<D, Real>& force) { return std::holds_alternative<Wind<D, Real>>(force); };
+    if (std::none_of(world.forces.begin(), world.forces.end(), blows)) return solver.wind_areas.reset();
+    if (!solver.wind_areas) solver.wind_areas = std::make_shared<WindAreas>();
+    WindAreaFinder<D, Real>(world, *solver.wind_areas).find();
+}
+
 template <int D, class Real> void apply_winds(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
-    const auto presses = [](const Force<D, Real>& force) { return std::holds_alternative<Wind<D, Real>>(force); };
-    if (std::none_of(world.forces.begin(), world.forces.end(), presses)) return solver.wind_areas.reset();
-    const bool is_new = !solver.wind_areas;
-    if (is_new) solver.wind_areas = std::make_shared<WindAreas>();
-    auto& areas = *solver.wind_areas;
-    if (is_new || world.journal.changed || world.journal.stale || areas.particles != world.particles.size())
-        WindAreaFinder<D, Real>(world, areas).find();
-    if (areas.list.empty()) return;
+    const auto& areas = solver.wind_areas;
+    if (!areas || world.journal.changed || world.journal.stale || areas->particles != world.particles.size())
+        find_wind_areas(world, solver);
+    if (!areas || areas->list.empty()) return;
     world.particles.any_force = true;
     for (const auto& force : world.forces) {
-        if (!presses(force)) continue;
-        WindPress<D, Real> press(world, std::get<Wind<D, Real>>(force), dt);
-        for (const auto& area : areas.list) press.press(area);
+        const auto* wind = std::get_if<Wind<D, Real>>(&force);
+        if (!wind) continue;
+        WindPress<D, Real> press(world, *wind, dt);
+        for (const auto& area : areas->list) press.press(area);
     }
 }
 
-#define SINEW_WIND(D, Real) template void apply_winds(World<D, Real>&, Solver<D, Real>&, Real);
+#define SINEW_WIND(D, Real)                                                                                            \
+    template void find_wind_areas(World<D, Real>&, Solver<D, Real>&);                                                  \
+    template void apply_winds(World<D, Real>&, Solver<D, Real>&, Real);
 SINEW_INSTANTIATE(SINEW_WIND)
 
 } // namespace sinew
