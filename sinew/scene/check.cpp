@@ -138,7 +138,7 @@ class ValueCheck {
 
     void event(const EventSection& section, std::size_t i) {
         const double step = step_length(scene_);
-        if (!section.at && !section.on)
+        if (!section.at && !section.on && section.every == 0)
             document_.error(under("events", i), "an event needs a time \"at\", or a contact \"on\"");
         if (section.times > 0 && section.every == 0 && !section.on)
             document_.error(under("events", i, "times"), "what happens several times needs an \"every\"");

@@ -69,7 +69,7 @@ TEST(SavedRun, ThatIsDamagedIsRefusedWithThePlace) {
     write(path, whole);
     EXPECT_EQ(sinew({"run", path, "solver.substeps=3"}).code, 2);
     EXPECT_EQ(sinew({"run", ragdoll(), "--at", "1"}).code, 2);
-    EXPECT_EQ(sinew({"run", ragdoll(), "--save", "/no/such\x01/folder/at.sinew", "--at", "0.1"}).code, 1);
+    EXPECT_EQ(sinew({"run", ragdoll(), "--save", path + "/at.sinew", "--at", "0.1"}).code, 1) << "a file, no folder";
 }
 
 TEST(Recordings, AreReplayedAndTellWhereTheyPart) {
