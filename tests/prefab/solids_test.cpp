@@ -39,7 +39,7 @@ TEST(Tetrahedra, FillABallToItsSurface) {
         expect_sound(mesh);
         const double volume = 4.0 / 3 * pi<double> * 0.125;
         EXPECT_LT(total_volume(mesh), volume) << cells;
-        EXPECT_GT(total_volume(mesh), volume * (1 - 2.0 / cells / cells)) << cells;
+        EXPECT_GT(total_volume(mesh), volume * (1 - 0.8 / cells)) << cells; // slivers at the surface are left out
         for (const auto& point : mesh.points) EXPECT_LE(norm(point), 0.5 + 0.25 / cells + 1e-12);
     }
 }
