@@ -1,6 +1,7 @@
 #include "sinew/math/hash.h"
 #include "sinew/simulation.h"
 #include "sinew/snapshot/snapshot.h"
+#include "sinew/world/measure.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -21,7 +21,9 @@ template <int D, class Real> class AloneFinder {
 
     void run() {
         const bool is_edited = world_.journal.changed || world_.journal.stale;
+        room_.is_listed = false;
         if (is_edited || room_.all.body_of.size() != p_.size()) list();
+        room_.is_listed = is_edited; // a preparation is due in this step
         const bool may_become_alone = world_.steps % interval == 0 && room_.any_may_be_block;
         if (!may_become_alone && !any_alone()) return;
         make_boxes();
