@@ -107,7 +107,7 @@ menu_entry() { # how far below the window's top
     xdotool mousemove $((X + 22)) $((Y + 14)) click 1; sleep 0.4
     xdotool mousemove $((X + 60)) $((Y + $1)); sleep 0.2; xdotool click 1
 }
-menu_entry 194; until_said '"purpose": "picture"'; sleep 0.3; key Return; until_said '"what": "screenshot"'
+menu_entry 217; until_said '"purpose": "picture"'; sleep 0.3; key Return; until_said '"what": "screenshot"'
 [ "$(head -c 4 rope.png | tail -c 3)" = PNG ] || fail "no picture"
 sleep 0.5; key ctrl+c; until_said '"what": "copied"'
 key p; until_said '"what": "pause"' 2
