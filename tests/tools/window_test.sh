@@ -114,7 +114,7 @@ key p; until_said '"what": "pause"' 2
 menu_entry 165; until_said '"purpose": "save_state"'; sleep 0.3; key Return; until_said '"what": "saved_state"'
 key e; until_said '"what": "split", .*"on": true'; key e; until_said '"what": "split", .*"on": false'
 key p; until_said '"what": "resume"' 2
-"$SINEW" play rope.state.json --script /dev/stdin --json <<<"0 key p" >restored || fail "the running state is not opened"
+"$SINEW" play rope.sinew --script /dev/stdin --json <<<"0 key p" >restored || fail "the running state is not opened"
 grep -q "$(hashes saved_state)" restored || fail "the running state is another one"
 
 # Escape closes a menu, and leaves a field of text: the window stays, though nothing would be lost.
