@@ -140,30 +140,30 @@ void find_edges_and_surface(TetraMesh& mesh) {
             mesh.surface.push_back({faces[i][3], faces[i][4], faces[i][5]});
 }
 
-/// Moves the points of the surface to the surface of the solid.
+/// Moves the points of the surface to the surface of the solid, one after the other, each as far as leaves its
+/// tetrahedra upright; again, since a neighbour's move makes room.
 void fit(TetraMesh& mesh, const Solid& solid, double cell) {
-    const auto lattice = mesh.points;
+    constexpr int rounds = 8, shares = 16;
+    const double least = 0.2 * square(cell) * cell / 12; // of a lattice tetrahedron's volume, cell^3 / 12
+    std::vector<std::vector<std::uint32_t>> around(mesh.points.size()); // tetrahedra of a point
+    for (std::uint32_t i = 0; i < mesh.tetrahedra.size(); ++i)
+        for (const auto corner : mesh.tetrahedra[i]) around[corner].push_back(i);
     std::vector<char> is_outer(mesh.points.size(), 0);
     for (const auto& triangle : mesh.surface)
         for (const auto corner : triangle) is_outer[corner] = 1;
     auto fitted = mesh.points;
     for (std::size_t i = 0; i < mesh.points.size(); ++i)
         if (is_outer[i]) solid.nearest(mesh.points[i], cell, fitted[i]);
-    const double least = 0.2 * square(cell) * cell / 12; // of a lattice tetrahedron's volume, cell^3 / 12
-    std::vector<double> share(mesh.points.size(), 1);
-    constexpr int rounds = 6;
-    for (int round = 0; round <= rounds; ++round) {
-        for (std::size_t i = 0; i < mesh.points.size(); ++i)
-            mesh.points[i] = lattice[i] + (fitted[i] - lattice[i]) * share[i];
-        bool good = true;
-        for (const auto& t : mesh.tetrahedra)
-            if (signed_volume(mesh.points, t) < least) {
-                good = false;
-                for (const auto corner : t) share[corner] = round + 1 < rounds ? share[corner] / 2 : 0;
+    const auto is_good = [&](std::uint32_t t) { return signed_volume(mesh.points, mesh.tetrahedra[t]) >= least; };
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+            const auto from = mesh.points[i];
+            for (int share = shares; share > 0 && from != fitted[i]; --share) {
+                mesh.points[i] = from + (fitted[i] - from) * (double(share) / shares);
+                if (std::ranges::all_of(around[i], is_good)) break;
+                mesh.points[i] = from;
             }
-        if (good) return;
-    }
-    mesh.points = lattice;
+        }
 }
 
 /// The inside of a mesh by the number of times that its faces wind around a point: the crossings of a ray upwards.

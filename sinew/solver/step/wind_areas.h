@@ -23,8 +23,8 @@ struct WindArea {
     std::uint32_t fragment = 0; ///< index in the figure's fragments
 };
 
-/// What the wind presses on: of each figure its areas, those of a net of threads too; of a figure without areas its
-/// lines; of one without either, its particles as balls.
+/// Parts that the wind presses on: of each figure its areas, those of a net of threads too; of a figure without areas
+/// its lines; of one without either, its particles as balls.
 struct WindAreas {
     std::vector<WindArea> list;
     std::vector<std::array<Row, 2>> links; ///< scratch: ends of distances, the lower row first, in order
