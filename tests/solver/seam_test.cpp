@@ -190,7 +190,7 @@ TYPED_TEST(FlatSeam, ACrateSlidesToAStopOverFlushTiles) {
     EXPECT_NEAR(double(middle_of(world, crate)[0]) - 0.5, 25 / (2 * 0.3 * 9.81), 0.1);
 }
 
-// A stick that falls flat on a pad narrower than itself comes back flat: the pad's corners bear it together.
+// A crate that falls flat on a pad narrower than itself comes back flat: the pad's corners bear it together.
 TYPED_TEST(FlatSeam, ACrateReturnsFlatFromANarrowPad) {
     using Real = TypeParam;
     for (const double width : {0.3, 0.75, 0.9})
