@@ -32,7 +32,7 @@ foreach(name IN ITEMS one sse2 avx2 avx512)
     if(name IN_LIST kernels_chosen)
         list(POP_FRONT options_of_${name} optimisation)
         set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON
-            COMPILE_OPTIONS "$<IF:$<CONFIG:Debug>,-O0,${optimisation}>;${options_of_${name}}")
+            COMPILE_OPTIONS "$<$<NOT:$<CONFIG:Debug>>:${optimisation}>;${options_of_${name}}")
     else()
         set_source_files_properties(${file} PROPERTIES HEADER_FILE_ONLY ON)
         string(TOUPPER "SINEW_NO_${name}" definition)
