@@ -59,7 +59,7 @@ template <int D, class Real> bool Rollback<D, Real>::go_back(World<D, Real>& wor
         visit_fields(fresh, snapshot::FieldReader(&fixed, moving));
         world = std::move(fresh);
     }
-    world.journal.stale = world.journal.changed = true;
+    world.journal.change_all();
     next_ = (next_ + ring_.size() - moments) % ring_.size();
     size_ -= moments;
     return true;

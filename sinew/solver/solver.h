@@ -47,7 +47,8 @@ template <int D, class Real> struct Solver {
     std::vector<char> torn;                         ///< by row of a table: to be removed at the end of the step
     std::vector<char> stays;                        ///< classic mode, by row: moved by the pin alone
     ColliderTouches<D, Real> touches;
-    std::shared_ptr<const char> identity{}; ///< a journal read by this solver carries the same
+    std::shared_ptr<const char>
+        identity{}; ///< of the solver and the world it follows: the world's journal has the same
 
     // Special members are defined in solver.cpp, because each one generates a lot of code.
     Solver();
@@ -66,6 +67,8 @@ template <int D, class Real> struct Solver {
 
     /// Finds the connected components of an edited world and reserves memory for their solution; a no-op without edits.
     void prepare(World<D, Real>& world);
+    /// Takes up a world: begins anew, unless the solver has read the world's journal, and no other's since.
+    void follow(World<D, Real>& world);
     /// Reports the progress of preparation.
     void report(double share) const {
         if (reports.preparing) reports.preparing(share);

@@ -29,7 +29,7 @@ template <int D, class Real> void list_constraints(World<D, Real>& world) {
 /// Records the addition of the last particle.
 template <int D, class Real> void note_particle(World<D, Real>& world) {
     auto& journal = world.journal;
-    journal.changed = true;
+    journal.change();
     const auto& handles = world.particles.handles;
     SINEW_ASSERT(world.particles.size() > 0, "a particle has been added");
     if (journal.adjacency.listed()) journal.adjacency.make_room(handles.indices());
@@ -49,7 +49,7 @@ template <int D, class Real> void note_weight(World<D, Real>& world, Row particl
 /// Records a change of a particle's constraints; calls update(adjacency, particle) where the list has to follow.
 template <int D, class Real, class Update> void note_member_change(World<D, Real>& world, Row member, Update&& update) {
     auto& journal = world.journal;
-    journal.changed = true;
+    journal.change();
     if (journal.stale && !journal.adjacency.listed()) return;
     const auto particle = world.particles.handles.index_of(member);
     if (journal.adjacency.listed()) update(journal.adjacency, particle);
@@ -82,7 +82,7 @@ template <int D, class Real, class Table> void note_feature(World<D, Real>& worl
 
 /// Records the compaction of rows, or added or removed pins.
 template <int D, class Real> void note_rows(World<D, Real>& world) {
-    world.journal.changed = true;
+    world.journal.change();
     ++world.journal.row_moves;
 }
 

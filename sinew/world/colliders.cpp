@@ -69,8 +69,8 @@ bool set_contact(World<D, Real>& world, FigureIndex figure, const FigureContactS
     auto& changed = world.figures[figure];
     const bool collides = spec.figures || spec.itself;
     if (changed.collides != collides || changed.cloth != spec.cloth)
-        world.journal.stale = world.journal.changed = true; // blocks are not for them
-    world.journal.changed |= changed.touches_itself != spec.itself || changed.friction != spec.friction;
+        world.journal.change_all(); // blocks are not for them
+    if (changed.touches_itself != spec.itself || changed.friction != spec.friction) world.journal.change();
     changed.collides = collides;
     changed.touches_itself = spec.itself;
     changed.cloth = spec.cloth;

@@ -23,8 +23,9 @@ struct Touched {
 };
 
 struct Journal {
-    bool stale = true;   ///< everything may have changed, and particles are not listed
-    bool changed = true; ///< something has
+    bool stale = true;       ///< everything may have changed, and particles are not listed
+    bool changed = true;     ///< something has
+    std::uint64_t edits = 0; ///< number of changes: a list found at the same number is that of the world
     std::vector<Touched> touched;
     std::uint32_t row_moves = 0;        ///< number of times that rows have moved
     ConstraintAdjacency adjacency;      ///< constraints of each particle, listed on demand (changes.h)
@@ -40,8 +41,16 @@ struct Journal {
     Journal& operator=(Journal&&) = default;
     ~Journal() = default;
 
-    void touch(std::uint32_t particle, Touch what) {
+    void change() {
         changed = true;
+        ++edits;
+    }
+    void change_all() {
+        stale = true;
+        change();
+    }
+    void touch(std::uint32_t particle, Touch what) {
+        change();
         stale = stale || touched.size() == touched.capacity();
         if (!stale) touched.push_back({particle, what});
     }

@@ -1,6 +1,7 @@
 #include "sinew/math/random.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/simulation.h"
+#include "sinew/world/colliders.h"
 #include "sinew/world/environment.h"
 #include "sinew/world/measure.h"
 
@@ -56,6 +57,53 @@ TEST(Solvers, OfOneWorldTakeTurns) {
     EXPECT_NE(state_hash(together.world), state_hash(other.world));
     for (int i = 0; i < 9; ++i) second.step(together.world, 1.0 / 60);
     EXPECT_EQ(state_hash(together.world), state_hash(other.world)) << "69 steps each";
+}
+
+/// Adds a figure of 25 particles.
+void add_cloth_or_rope(World<3, double>& world, bool cloth) {
+    const FigureIndex figure = cloth ? build(world, Cloth{.columns = 5, .rows = 5}, "cloth").figure
+                                     : build(world, Rope{.length = 2, .segments = 24}, "rope").figure;
+    world.figures[figure].internal_damping = cloth ? 2 : 0.5;
+    set_contact(world, figure, {.figures = true});
+}
+
+/// All that a solver lists: wind on areas and lines, bodies that damp, sleep, touch walls and each other.
+Simulation<3> cloth_and_rope(bool cloth_first) {
+    Simulation<3> simulation{{}, Solver<3, double>({.threads = 1})};
+    auto& world = simulation.world;
+    set_gravity(world, {0, -9.81, 0});
+    add_wind(world, {.velocity = {3, 0, 1}, .density = 1.2});
+    add_plane(world, {.normal = {0, 1, 0}, .offset = -0.5, .friction = 0.5});
+    world.settings.sleep = {.speed = 0.05, .delay = 0.1};
+    for (const bool cloth : {cloth_first, !cloth_first}) add_cloth_or_rope(world, cloth);
+    return simulation;
+}
+
+TEST(Solvers, OneServesTwoWorldsOfAsManyParticles) {
+    std::array alone{cloth_and_rope(true), cloth_and_rope(false)}, served{cloth_and_rope(true), cloth_and_rope(false)};
+    Solver<3, double> solver({.threads = 1});
+    for (int i = 0; i < 60; ++i)
+        for (std::size_t k = 0; k < 2; ++k) {
+            alone[k].step(1.0 / 60);
+            solver.step(served[k].world, 1.0 / 60);
+            ASSERT_EQ(state_hash(alone[k].world), state_hash(served[k].world)) << k << ", step " << i;
+        }
+}
+
+TEST(Solvers, PreparedBetweenAnEditAndAStepChangeNothing) {
+    auto prepared = cloth_and_rope(true), stepped = cloth_and_rope(true);
+    for (int i = 0; i < 90; ++i) {
+        if (i % 20 == 19) // one goes, and comes back behind the other
+            for (auto* world : {&prepared.world, &stepped.world}) {
+                const bool cloth = i % 40 == 19;
+                ASSERT_TRUE(remove_figure(*world, find_figure(*world, cloth ? "cloth" : "rope").value()));
+                add_cloth_or_rope(*world, cloth);
+            }
+        if (i % 2 == 1) prepared.solver.prepare(prepared.world);
+        prepared.step(1.0 / 60);
+        stepped.step(1.0 / 60);
+        ASSERT_EQ(state_hash(prepared.world), state_hash(stepped.world)) << "step " << i;
+    }
 }
 
 // Threads and instruction sets are options of each solver: two at the same time do not disturb each other.

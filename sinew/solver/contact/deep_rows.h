@@ -14,7 +14,7 @@ template <int D, class Real> class DeepRows {
     using Part = ContactPart<D, Real>;
 
     DeepRows(Solver<D, Real>& solver, const RowSolver<D, Real>& rows)
-        : solver_(solver), state_(solver.sweep_state), rows_(rows), held_(*solver.contacts, state_, rows) {}
+        : solver_(solver), state_(solver.sweep_state), rows_(rows), held_(solver.contacts.get(), state_, rows) {}
 
     /// Before the lengths are corrected. Rows that begin the substep no deeper than half of that are left to the next
     /// one.

@@ -10,19 +10,20 @@ template <int D, class Real> class HeldRows {
   public:
     using RowT = ContactRow<D, Real>;
 
-    HeldRows(ContactRoom<D, Real>& room, SweepState<D, Real>& state, const RowSolver<D, Real>& rows)
-        : projector_(room.projector), state_(state), rows_(rows) {}
+    /// Without a room, which a world without contacts does not have, there are no rows either.
+    HeldRows(ContactRoom<D, Real>* room, SweepState<D, Real>& state, const RowSolver<D, Real>& rows)
+        : room_(room), state_(state), rows_(rows) {}
 
     /// 1 / (displacement of the contact for a unit impulse), kg.
     Real mass_of(const RowT& row) const {
         const auto pushes = pushes_of(row);
-        return Real(inverse_or_zero(projector_.response(state_).along(members_of(row), of_members(row, pushes))));
+        return Real(inverse_or_zero(projector().response(state_).along(members_of(row), of_members(row, pushes))));
     }
     /// Moves the contact by a distance along the normal, as far as the figures can; returns the impulse.
     Real move(const RowT& row, Real distance) const {
         const auto pushes = pushes_of(row);
         const auto slots = members_of(row);
-        const auto response = projector_.response(state_);
+        const auto response = projector().response(state_);
         const double mass = inverse_or_zero(response.along(slots, of_members(row, pushes)));
         const double impulse = min(double(distance) * mass, double(limit::multiplier<Real>));
         response.move(state_, slots, of_members(row, pushes), impulse);
@@ -32,10 +33,10 @@ template <int D, class Real> class HeldRows {
     void push(const RowT& row, Real impulse) const {
         rows_.apply(row, row.normal * impulse);
         const auto slots = members_of(row);
-        const auto& component_of = projector_.links().component_of;
+        const auto& component_of = projector().links().component_of;
         for (std::size_t i = 0; i < slots.size(); ++i) {
             const auto is_same = [&](Row slot) { return component_of[slot] == component_of[slots[i]]; };
-            if (std::ranges::none_of(slots.first(i), is_same)) projector_.project_velocities(state_, slots[i]);
+            if (std::ranges::none_of(slots.first(i), is_same)) projector().project_velocities(state_, slots[i]);
         }
     }
     static std::span<const Row> members_of(const RowT& row) {
@@ -43,6 +44,8 @@ template <int D, class Real> class HeldRows {
     }
 
   private:
+    LinkProjector<D, Real>& projector() const { return room_->projector; }
+
     using Pushes = std::array<Vec<D, double>, D + 1>;
     static Pushes pushes_of(const RowT& row) {
         Pushes pushes{};
@@ -52,7 +55,7 @@ template <int D, class Real> class HeldRows {
     static std::span<const Vec<D, double>> of_members(const RowT& row, const Pushes& pushes) {
         return std::span(pushes).first(std::size_t(row.members));
     }
-    LinkProjector<D, Real>& projector_;
+    ContactRoom<D, Real>* room_;
     SweepState<D, Real>& state_;
     const RowSolver<D, Real>& rows_;
 };

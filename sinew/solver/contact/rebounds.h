@@ -24,7 +24,7 @@ template <int D, class Real> class Rebounds {
 
     /// `h`: length of the substep.
     Rebounds(ContactRoom<D, Real>& room, SweepState<D, Real>& state, const RowSolver<D, Real>& rows, Real h)
-        : room_(room), state_(state), rows_(rows), held_(room, state, rows), resting_(square(h) * norm(state.gravity)),
+        : room_(room), state_(state), rows_(rows), held_(&room, state, rows), resting_(square(h) * norm(state.gravity)),
           added_(state.gravity * (Real(0.5) * square(h))) {}
 
     /// Before the move.

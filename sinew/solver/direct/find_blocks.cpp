@@ -250,14 +250,13 @@ template <int D, class Real> void reserve_for_tears(World<D, Real>& world, Solve
 
 template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world) {
     auto& journal = world.journal;
-    if (!identity) identity = std::make_shared<const char>();
-    if (std::exchange(journal.reader, identity) != identity) journal.stale = true;
+    follow(world);
     if (!journal.changed && !journal.stale) return;
     detail::make_room_for_widest(world, scratch);
     if (world.settings.mode == Mode::classic) stays.reserve(world.particles.size());
     reserve_for_tears(world, *this);
     list_bodies(world, *this);
-    if (!wind_areas) find_wind_areas(world, *this);
+    find_wind_areas(world, *this);
     report(0);
     const bool anew = BlockFinder(world, *this).run();
     const auto parts = std::size_t(detail::parts_in_lanes(options.threads));

@@ -20,10 +20,7 @@ template <int D, class Real> class AloneFinder {
         : world_(world), p_(world.particles), room_(room), dt_(dt) {}
 
     void run() {
-        const bool is_edited = world_.journal.changed || world_.journal.stale;
-        room_.is_listed = false;
-        if (is_edited || room_.all.body_of.size() != p_.size()) list();
-        room_.is_listed = is_edited; // a preparation is due in this step
+        list();
         const bool may_become_alone = world_.steps % interval == 0 && room_.any_may_be_block;
         if (!may_become_alone && !any_alone()) return;
         make_boxes();
@@ -37,9 +34,9 @@ template <int D, class Real> class AloneFinder {
         }
         if (any_changes) mark_attached();
     }
-    /// Lists the bodies, unless a search before the preparation has done so.
+    /// Lists the bodies of an edited world.
     void list() {
-        if (std::exchange(room_.is_listed, true)) return;
+        if (std::exchange(room_.edits, world_.journal.edits) == world_.journal.edits) return;
         detail::AloneBodyFinder<D, Real>(world_, room_).run();
         take_over();
     }
@@ -48,7 +45,7 @@ template <int D, class Real> class AloneFinder {
         auto& p = world.particles;
         if (!any_near(p)) return;
         p.near.fill(char(0));
-        world.journal.stale = world.journal.changed = true;
+        world.journal.change_all();
     }
 
   private:
@@ -283,7 +280,6 @@ template <int D, class Real> void find_alone(World<D, Real>& world, Solver<D, Re
 template <int D, class Real> void list_bodies(World<D, Real>& world, Solver<D, Real>& solver) {
     if (!may_touch(world)) return;
     AloneFinder<D, Real>(world, alone_room(solver), Real(0)).list();
-    solver.alone->is_listed = false;
 }
 
 #define SINEW_ALONE(D, Real)                                                                                           \

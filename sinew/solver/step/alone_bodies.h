@@ -12,11 +12,11 @@
 namespace sinew {
 
 template <int D, class Real> struct AloneRoom {
-    SleepRoom<D, Real> all;     ///< all bodies
-    bool is_listed = false;     ///< for the preparation that is due
-    std::vector<char> collides; ///< per body: touches other figures
-    std::vector<char> is_rod;   ///< per body: a single rigid link, too short for a block
-    std::vector<char> is_plain; ///< per body: of rigid links alone and like masses, which rows of contact hold exactly
+    SleepRoom<D, Real> all;      ///< all bodies
+    std::uint64_t edits = ~0ull; ///< of the world when the bodies were found
+    std::vector<char> collides;  ///< per body: touches other figures
+    std::vector<char> is_rod;    ///< per body: a single rigid link, too short for a block
+    std::vector<char> is_plain;  ///< per body: of rigid links alone and like masses, which rows of contact hold exactly
     std::vector<std::array<Real, 2>> mobilities; ///< per body: least and most, 1/kg
     std::vector<char> may_be_block;              ///< per body
     bool any_may_be_block = false;               ///< otherwise nobody is ever alone

@@ -32,7 +32,6 @@ template <int D, class Real> class InternalDamping {
             for (Row row = 0; row < p_.size(); ++row)
                 if (is_member(row)) visit(bodies_.number_of[row], row);
         });
-        bodies_.particles = p_.size();
     }
 
     void damp(Real dt) const {
@@ -86,11 +85,9 @@ template <int D, class Real> void damp_internally(World<D, Real>& world, Solver<
     const auto is_damped = [](const Figure& figure) { return figure.internal_damping > 0; };
     if (world.settings.mode != Mode::physical || std::none_of(world.figures.begin(), world.figures.end(), is_damped))
         return solver.damped.reset();
-    const bool is_new = !solver.damped;
-    if (is_new) solver.damped = std::make_shared<DampedBodies>();
+    if (!solver.damped) solver.damped = std::make_shared<DampedBodies>();
     InternalDamping<D, Real> damping(world, *solver.damped);
-    if (is_new || world.journal.changed || world.journal.stale || solver.damped->particles != world.particles.size())
-        damping.find_bodies();
+    if (std::exchange(solver.damped->edits, world.journal.edits) != world.journal.edits) damping.find_bodies();
     damping.damp(dt);
 }
 

@@ -9,9 +9,9 @@ namespace sinew {
 /// Bodies of the internal damping: connected movable particles of one figure. A piece cut off is a body of its own.
 struct DampedBodies {
     UnionFind sets;
-    std::vector<Row> number_of; ///< per row: the body
-    RowLists<Row> rows;         ///< per body
-    std::size_t particles = 0;  ///< in the world when the bodies were found
+    std::vector<Row> number_of;  ///< per row: the body
+    RowLists<Row> rows;          ///< per body
+    std::uint64_t edits = ~0ull; ///< of the world when the bodies were found
 };
 
 } // namespace sinew

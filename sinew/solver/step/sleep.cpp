@@ -25,7 +25,7 @@ template <int D, class Real> class Sleep {
 
     /// Wakes the islands that something may touch in the step, that are moved, or all after an edit.
     void wake() {
-        if (world_.journal.changed || world_.journal.stale || room_.body_of.size() != p_.size())
+        if (std::exchange(room_.edits, world_.journal.edits) != world_.journal.edits)
             detail::SleepBodyFinder(world_, room_).run();
         if (!any_asleep(p_)) return;
         if (!sleeps(world_) || parameter_hash(world_) != world_.sleep_parameters)

@@ -20,6 +20,7 @@ struct SleepBody {
 template <int D, class Real> struct SleepRoom {
     std::vector<SleepBody> bodies;
     std::vector<std::uint32_t> body_of; ///< per row
+    std::uint64_t edits = ~0ull;        ///< of the world when the bodies were found
     struct Attachment {
         std::uint32_t body = 0;
         Row row = 0;

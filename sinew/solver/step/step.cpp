@@ -64,6 +64,7 @@ template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& so
 template <int D, class Real> void Solver<D, Real>::step(World<D, Real>& world, Real dt) {
     if (!(dt >= limit::shortest_step<Real>)) return;
     dt = min(dt, limit::step<Real>);
+    follow(world);
     detail::Laps laps(reports.times.get());
     begin(world, *this, dt);
     if (world.settings.mode == Mode::classic)

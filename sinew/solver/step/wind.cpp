@@ -24,7 +24,6 @@ template <int D, class Real> class WindAreaFinder {
     void find() {
         areas_.list.clear();
         areas_.links.clear();
-        areas_.particles = p_.size();
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
             if (world_.figures[i].in_use()) find(i);
     }
@@ -227,13 +226,13 @@ template <int D, class Real> void find_wind_areas(World<D, Real>& world, Solver<
     const auto blows = [](const Force<D, Real>& force) { return std::holds_alternative<Wind<D, Real>>(force); };
     if (std::none_of(world.forces.begin(), world.forces.end(), blows)) return solver.wind_areas.reset();
     if (!solver.wind_areas) solver.wind_areas = std::make_shared<WindAreas>();
+    if (std::exchange(solver.wind_areas->edits, world.journal.edits) == world.journal.edits) return;
     WindAreaFinder<D, Real>(world, *solver.wind_areas).find();
 }
 
 template <int D, class Real> void apply_winds(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
     const auto& areas = solver.wind_areas;
-    if (!areas || world.journal.changed || world.journal.stale || areas->particles != world.particles.size())
-        find_wind_areas(world, solver);
+    find_wind_areas(world, solver);
     if (!areas || areas->list.empty()) return;
     world.particles.any_force = true;
     for (const auto& force : world.forces) {

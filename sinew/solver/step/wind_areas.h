@@ -28,7 +28,7 @@ struct WindArea {
 struct WindAreas {
     std::vector<WindArea> list;
     std::vector<std::array<Row, 2>> links; ///< scratch: ends of distances, the lower row first, in order
-    std::size_t particles = 0;             ///< in the world when the areas were found
+    std::uint64_t edits = ~0ull;           ///< of the world when the areas were found
 };
 
 } // namespace sinew
