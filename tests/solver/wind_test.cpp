@@ -1,4 +1,6 @@
+#include "sinew/prefab/prefabs.h"
 #include "sinew/scene/scene.h"
+#include "sinew/topology/cut.h"
 #include "sinew/world/edit.h"
 #include "sinew/world/environment.h"
 #include "sinew/world/measure.h"
@@ -79,6 +81,27 @@ TEST(Wind, PlateIsPressedByTheAngleAlongItsNormal) {
                 EXPECT_NEAR(force[0], 0, 1e-6) << drawn << columns << " at " << angle;
                 EXPECT_NEAR(force[1], 0, 1e-6) << drawn << columns << " at " << angle;
             }
+}
+
+/// Momentum that the wind gives to a cloth of 2 by 2 cells which so many blades have crossed.
+double push_on_cloth(int blades) {
+    World<3, double> world;
+    add_wind(world, {.velocity = {0, 0, 10}, .density = 1.5});
+    build(world, Cloth{.columns = 3, .rows = 3, .spacing = 1, .pins = "none", .drawn = "fill"}, "cloth");
+    const auto center = center_of_mass(world);
+    for (int i = 0; i < blades; ++i) {
+        const double angle = 0.3 + i, x = center[0] + 0.31, y = center[1] + 0.27;
+        cut(world, Blade{{{x - 2 * std::cos(angle), y - 2 * std::sin(angle)}},
+                         {{x + 2 * std::cos(angle), y + 2 * std::sin(angle)}}});
+    }
+    Solver<3, double>().step(world, 1e-5);
+    return momentum(world)[2];
+}
+
+TEST(Wind, ClothInPiecesIsPressedAsWhole) {
+    const double whole = push_on_cloth(0);
+    EXPECT_GT(whole, 0);
+    for (const int blades : {1, 2, 3, 7, 20}) EXPECT_NEAR(push_on_cloth(blades), whole, 1e-3 * whole) << blades;
 }
 
 /// Angle from the vertical at which a figure hangs in the wind.

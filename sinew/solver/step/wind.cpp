@@ -4,6 +4,7 @@
 #include "sinew/solver/sweep/wind_at.h"
 
 #include <algorithm>
+#include <span>
 
 /// Wind on areas: the pressure of the air on a patch by the angle at which it strikes, on a line by its length, width
 /// and the flow across it, on a ball by its disc (White, "Fluid Mechanics", section 7.6):
@@ -22,8 +23,7 @@ template <int D, class Real> class WindAreaFinder {
     WindAreaFinder(World<D, Real>& world, WindAreas& areas) : world_(world), p_(world.particles), areas_(areas) {}
 
     void find() {
-        areas_.list.clear();
-        areas_.links.clear();
+        areas_.list.clear(), areas_.rows.clear(), areas_.links.clear();
         for (FigureIndex i = 0; i < world_.figures.size(); ++i)
             if (world_.figures[i].in_use()) find(i);
     }
@@ -49,24 +49,25 @@ template <int D, class Real> class WindAreaFinder {
     void add_area(FigureIndex index, const Piece& piece) {
         const auto& ids = piece.particles;
         if (piece.mark == Mark::fragment) {
-            WindArea area{.shape = WindArea::Shape::fragment, .figure = index, .fragment = piece.fragment};
-            area.count = std::uint8_t(std::min<std::size_t>(ids.size(), 4));
-            for (std::size_t i = 0; i < area.count; ++i)
-                if (!take(area.rows[i], ids[i])) return;
-            if (area.count > 0) areas_.list.push_back(area);
+            add({.shape = WindArea::Shape::fragment, .figure = index, .fragment = piece.fragment}, ids);
         } else if (piece.mark == Mark::surface) {
-            if (ids.size() == 4) add_patch({ids[0], ids[1], ids[2], ids[3]});
+            if (ids.size() != 4) return;
+            ids[2] == ids[3] ? add_patch(std::array{ids[0], ids[1], ids[2]}) : add_patch(ids);
         } else if (piece.mark == Mark::fill && D == 3) {
-            for (std::size_t i = 1; i + 1 < ids.size(); ++i) add_patch({ids[0], ids[i], ids[i + 1], ids[i + 1]});
+            for (std::size_t i = 1; i + 1 < ids.size(); ++i) add_patch(std::array{ids[0], ids[i], ids[i + 1]});
         }
     }
-    bool add_patch(const std::array<ParticleId, 4>& ids) {
-        WindArea area{.shape = WindArea::Shape::patch, .count = 4};
-        for (std::size_t i = 0; i < 4; ++i)
-            if (!take(area.rows[i], ids[i])) return false;
-        if (area.rows[2] == area.rows[3]) area.count = 3;
-        areas_.list.push_back(area);
-        return true;
+    template <class Ids> bool add_patch(const Ids& ids) { return add({.shape = WindArea::Shape::patch}, ids); }
+    /// False, and nothing added, if one of the particles is gone.
+    template <class Ids> bool add(WindArea area, const Ids& ids) {
+        area.first = std::uint32_t(areas_.rows.size()), area.count = std::uint32_t(ids.size());
+        for (const auto id : ids) {
+            const auto row = p_.handles.find(id);
+            if (!row) return areas_.rows.resize(area.first), false;
+            areas_.rows.push_back(*row);
+        }
+        if (area.count > 0) areas_.list.push_back(area);
+        return area.count > 0;
     }
 
     /// Cells of a grid of threads, with a link at each side.
@@ -85,9 +86,10 @@ template <int D, class Real> class WindAreaFinder {
     }
     void add_cell(const std::array<ParticleId, 4>& ids) {
         if (!add_patch(ids)) return;
-        const auto& rows = areas_.list.back().rows;
+        const auto first = areas_.list.back().first;
+        const auto rows = std::span(areas_.rows).subspan(first);
         for (std::size_t i = 0; i < 4; ++i)
-            if (!are_linked(rows[i], rows[(i + 1) % 4])) return areas_.list.pop_back();
+            if (!are_linked(rows[i], rows[(i + 1) % 4])) return areas_.rows.resize(first), areas_.list.pop_back();
     }
     void list_links() {
         const auto& distances = std::get<kind_number<Distance, D>>(world_.constraints);
@@ -109,40 +111,28 @@ template <int D, class Real> class WindAreaFinder {
                              piece.mark == Mark::limb || piece.mark == Mark::ring;
         const auto& ids = piece.particles;
         if (!is_line) return;
-        for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ids.size(); ++i) {
-            WindArea area{.shape = WindArea::Shape::line, .count = 2, .width = piece.width};
-            if (take(area.rows[0], ids[i]) && take(area.rows[1], ids[(i + 1) % ids.size()]))
-                areas_.list.push_back(area);
-        }
+        for (std::size_t i = 0; i + (is_closed ? 0 : 1) < ids.size(); ++i)
+            add({.shape = WindArea::Shape::line, .width = piece.width}, std::array{ids[i], ids[(i + 1) % ids.size()]});
     }
     void add_balls(const Figure& figure) {
-        for (const auto id : figure.particles) {
-            WindArea area;
-            if (take(area.rows[0], id) && p_.radius[area.rows[0]] > Real(0)) {
-                area.width = 2 * double(p_.radius[area.rows[0]]);
-                areas_.list.push_back(area);
-            }
-        }
-    }
-    bool take(Row& row, ParticleId id) const {
-        const auto found = p_.handles.find(id);
-        if (found) row = *found;
-        return found.has_value();
+        for (const auto id : figure.particles)
+            if (const auto row = p_.handles.find(id); row && p_.radius[*row] > Real(0))
+                add({.width = 2 * double(p_.radius[*row])}, std::span(&id, 1));
     }
 };
 
 /// Pressure of one wind on all areas, in a step of dt.
 template <int D, class Real> class WindPress {
   public:
-    WindPress(World<D, Real>& world, const Wind<D, Real>& wind, Real dt)
-        : world_(world), p_(world.particles), wind_(wind), dt_(dt),
+    WindPress(World<D, Real>& world, const WindAreas& areas, const Wind<D, Real>& wind, Real dt)
+        : world_(world), p_(world.particles), areas_(areas), wind_(wind), dt_(dt),
           half_(Real(0.5) * wind.density * wind.drag_coefficient),
           per_area_(world.settings.mode == Mode::physical
                         ? wind.strength * inverse_or_zero(square(Real(0.1) * wind.metre))
                         : Real(0)) {}
 
     void press(const WindArea& area) {
-        const auto rows = std::span(area.rows).first(area.count);
+        const auto rows = rows_of(area);
         if (p_.asleep[rows[0]]) return;
         const Real share = Real(1) / Real(area.count);
         Vector middle{}, velocity{};
@@ -163,6 +153,7 @@ template <int D, class Real> class WindPress {
     using Vector = Vec<D, Real>;
     World<D, Real>& world_;
     Particles<D, Real>& p_;
+    const WindAreas& areas_;
     const Wind<D, Real>& wind_;
     Real dt_, half_, per_area_;
 
@@ -196,7 +187,10 @@ template <int D, class Real> class WindPress {
             return {size, wind};
         }
     }
-    Vector at(const WindArea& area, std::size_t i) const { return p_.position[area.rows[i]]; }
+    std::span<const Row> rows_of(const WindArea& area) const {
+        return std::span(areas_.rows).subspan(area.first, area.count);
+    }
+    Vector at(const WindArea& area, std::size_t i) const { return p_.position[rows_of(area)[i]]; }
     Vec3<Real> solid(const Vector& v) const { return {{v[0], v[1], D == 3 ? v[D - 1] : Real(0)}}; }
 
     Vec3<Real> area_vector(const WindArea& area) const {
@@ -238,7 +232,7 @@ template <int D, class Real> void apply_winds(World<D, Real>& world, Solver<D, R
     for (const auto& force : world.forces) {
         const auto* wind = std::get_if<Wind<D, Real>>(&force);
         if (!wind) continue;
-        WindPress<D, Real> press(world, *wind, dt);
+        WindPress<D, Real> press(world, *areas, *wind, dt);
         for (const auto& area : areas->list) press.press(area);
     }
 }
