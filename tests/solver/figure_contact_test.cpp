@@ -3,6 +3,7 @@
 
 #include "bench/contact.h"
 #include "tests/crates.h"
+#include "tests/thorough.h"
 #include "tests/worlds.h"
 
 #include <algorithm>
@@ -46,6 +47,25 @@ TYPED_TEST(Figures2, APyramidOfFifteenRowsRests) {
     EXPECT_LT(stretch(world).max, 1e-3);
     for (std::size_t i = 0; i < before.size(); ++i)
         EXPECT_LT(double(norm(world.particles.position[i] - before[i])), 0.05) << i;
+}
+
+// What holds up the light crate answers within the substep: the heavy one goes in no deeper than their radii, and
+// rests.
+TYPED_TEST(Figures2, AHeavyCrateRestsOnALightOne) {
+    for (const double ratio : {10.0, 100.0, 1000.0})
+        for (const double drop : {0.0, 0.5, 2.0}) {
+            FlatWorld<TypeParam> world;
+            add_ground(world);
+            const auto light = add_crate(world, 0, 0.25, 0.5, 1);
+            const auto heavy = add_crate(world, 0.02, 0.75 + drop, 0.5, ratio);
+            double least = 1;
+            for (int i = 0; i < few_or_many(360, 1200); ++i) {
+                step(world, TypeParam(1.0 / 60));
+                least = std::min(least, double(norm(middle_of(world, heavy) - middle_of(world, light))));
+            }
+            EXPECT_GT(least, 0.46) << ratio << ", dropped by " << drop;
+            EXPECT_LT(double(max_speed(world)), 0.1) << ratio << ", dropped by " << drop;
+        }
 }
 
 // A crate on a slope of angle a slides if and only if tan a > mu, and then with g (sin a - mu cos a).

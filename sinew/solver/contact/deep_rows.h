@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/held_rows.h"
+#include "sinew/solver/contact/support.h"
 #include "sinew/solver/solver.h"
 
 namespace sinew::detail {
@@ -20,8 +21,12 @@ template <int D, class Real> class DeepRows {
     /// one.
     void hold() {
         constexpr int rounds = 3;
+        const auto& parts = solver_.contacts->parts.list;
+        if (std::ranges::all_of(parts, [](const Part& part) { return part.deep.empty(); })) return;
+        Support<D, Real> support(*solver_.contacts, rows_);
+        support.find();
         for (int i = 0; i < rounds; ++i)
-            if (!hold_each()) return;
+            if (!hold_each(support)) return;
     }
 
     /// Links of a taut rope give way across it to first order and not to second: the correction of its lengths brings
@@ -47,11 +52,12 @@ template <int D, class Real> class DeepRows {
     auto& projector() { return solver_.contacts->projector; }
 
     /// One round over all rows; true if any has moved.
-    bool hold_each() {
+    bool hold_each(const Support<D, Real>& support) {
         bool any = false;
         for (auto& part : solver_.contacts->parts.list)
             for (const auto i : part.deep)
-                if (i < part.first_wall || !is_buried(part.rows[i])) any = hold(part.rows[i], part.origins[i]) || any;
+                if (i < part.first_wall || !is_buried(part.rows[i]))
+                    any = hold(part.rows[i], part.origins[i], support) || any;
         return any;
     }
     /// A figure that hangs on a particle behind a wall may have no way out of it.
@@ -87,11 +93,17 @@ template <int D, class Real> class DeepRows {
         return (beyond > Real(0) ? Softness<Real>::contact().rate * beyond : beyond) -
                rows_.change(row, origin.surface_displacement);
     }
-    bool hold(RowT& row, Origin& origin) {
+    bool hold(RowT& row, Origin& origin, const Support<D, Real>& support) {
         const Real lacking = missing(row, origin);
         if (!(lacking > Real(0))) return false;
-        const Real impulse = min(lacking * held_.mass_of(row), limit::multiplier<Real>);
-        held_.push(row, impulse);
+        constexpr auto much = Real(4); // as heavy as the one that is held up, three times and more
+        const Real together = held_.mass_of(row);
+        auto acting = support.acting(row);
+        const Real alone = held_.mass_of(acting.row);
+        if (alone <= much * together) acting = {row};
+        const Real impulse = min(lacking * (alone > much * together ? alone : together), limit::multiplier<Real>);
+        held_.push(acting.row, impulse);
+        if (acting.held != FigureSupport<D, Real>::none) support.pass_on(acting, row, impulse);
         origin.pushed += impulse;
         row.max = max(row.max, row.multiplier + impulse);
         return impulse > Real(0);
