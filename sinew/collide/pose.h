@@ -23,6 +23,23 @@ template <int D, class Real> struct Rotation {
         return n == Vec<3, Real>{} ? Rotation{} : Rotation{{{n[0], n[1], n[2], cosine(angle * Real(0.5))}}};
     }
 
+    /// Rotation by an angle, or about a vector by its length, radians.
+    static Rotation by(const Vec<1, Real>& angle) requires(D == 2) { return of(angle[0]); }
+    static Rotation by(const Vec<3, Real>& angle) requires(D == 3) { return of(angle, norm(angle)); }
+
+    /// This rotation after another.
+    Rotation operator*(const Rotation& first) const {
+        const auto &a = number, &b = first.number;
+        if constexpr (D == 2)
+            return {{{a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]}}};
+        else
+            return {{{a[3] * b[0] + b[3] * a[0] + (a[1] * b[2] - a[2] * b[1]),
+                      a[3] * b[1] + b[3] * a[1] + (a[2] * b[0] - a[0] * b[2]),
+                      a[3] * b[2] + b[3] * a[2] + (a[0] * b[1] - a[1] * b[0]),
+                      a[3] * b[3] - (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])}}};
+    }
+    Rotation normalized() const { return {number * inverse_or_zero(norm(number))}; }
+
     /// The same rotation, of length 1 in another precision.
     template <class T> Rotation<D, T> as() const {
         if constexpr (std::is_same_v<T, Real>) return *this;

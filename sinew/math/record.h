@@ -32,6 +32,7 @@ inline constexpr Unit mass{.mass = 1};
 inline constexpr Unit time{.time = 1};
 inline constexpr Unit angle{.angle = true};
 inline constexpr Unit per_time{.time = -1};
+inline constexpr Unit spin{.time = -1, .angle = true};
 inline constexpr Unit speed{.length = 1, .time = -1};
 inline constexpr Unit acceleration{.length = 1, .time = -2};
 inline constexpr Unit force{.length = 1, .mass = 1, .time = -2};

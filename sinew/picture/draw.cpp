@@ -148,7 +148,36 @@ template <class WorldT> class Drawer {
             shade_tube(traced_, style, shown, theme_.ink, unit_, brush_);
         if (!is_round(piece)) return;
         if (!scene_.view.plain) add_gloss(traced_, shown, unit_, picture_);
+        if (piece.mark == Mark::dot) draw_turns(piece, mix(shown, theme_.ink, 0.45F));
         if (!style.face.empty()) draw_face(piece, style.face, theme_.ink);
+    }
+
+    /// Marks on particles that have rolled, which turn with them: one beside the centre of a disc, six around a ball.
+    void draw_turns(const Piece& piece, const Color& color) {
+        const auto& p = world_.particles;
+        using Rotation = collide::Rotation<D, typename WorldT::Real>;
+        for (const auto id : piece.particles) {
+            const auto row = row_of(world_, id);
+            if (!row || (p.turn[*row] == Rotation{} && p.rolls[*row] != Rolls::always)) continue;
+            for (int axis = 0; axis < (D == 2 ? 1 : D); ++axis)
+                for (const double side : {1.0, -1.0})
+                    if (D == 3 || side > 0) draw_turn(*row, p.turn[*row].number, axis, side, color);
+        }
+    }
+    template <class Number> void draw_turn(Row row, const Number& number, int axis, double side, const Color& color) {
+        constexpr double away = D == 2 ? 0.55 : 1, size = 0.36; // shares of the radius
+        const double radius = double(traced_.width / traced_.scale) / 2;
+        const auto center = cast<double>(world_.particles.position[row]);
+        const collide::Rotation<D, double> rotation{cast<double>(number)};
+        const auto at = center + rotation * (Vec<D, double>::axis(axis) * (side * away * radius));
+        const auto seen = view_.see(wide(at)), middle = view_.see(wide(center));
+        if (!seen || !middle || (D == 3 && seen->depth >= middle->depth)) return;
+        picture_.add(Shape::disc, std::span(&seen->pixel, 1), float(size * radius) * seen->scale, color);
+    }
+    static Vec3<double> wide(const Vec<D, double>& position) {
+        Vec3<double> all{};
+        for (int i = 0; i < D; ++i) all[i] = position[i];
+        return all;
     }
 
     /// A face on the disc in traced_, or one on every dot of a piece with several.

@@ -102,6 +102,22 @@ template <int D, class RealT> class Builder {
         return id;
     }
 
+    /// Way in which a ball rolls.
+    struct Rolling {
+        double inertia = solid_inertia<D>; ///< as a share of mass times radius^2
+        double spin = 0;                   ///< angular velocity, counter-clockwise on screen; in 3D about z
+    };
+    /// Adds a particle that rolls, whatever holds it; in classic mode a particle as others are.
+    ParticleId ball(std::string_view name, const Local& local, double mass, double radius, const Rolling& rolling) {
+        const auto id = particle(name, local, mass, radius);
+        auto& p = world_.particles;
+        const auto row = p.size() - 1;
+        p.rolls.set(row, Rolls::always);
+        p.inertia.set(row, Real(rolling.inertia));
+        p.spin.set(row, Vec<spins<D>, Real>::axis(spins<D> - 1) * Real(rolling.spin * placement_.up));
+        return id;
+    }
+
     /// Particle of a given name. The name must belong to the figure.
     ParticleId named(std::string_view name) {
         SINEW_ASSERT(figure().particle_names.find(name).has_value(), "the name belongs to the figure");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/prefab/ball.h"
 #include "sinew/prefab/balls.h"
 #include "sinew/prefab/box.h"
 #include "sinew/prefab/bridge.h"
@@ -21,6 +22,7 @@
 #include "sinew/prefab/swing.h"
 #include "sinew/prefab/tire.h"
 #include "sinew/prefab/tree.h"
+#include "sinew/prefab/wheel.h"
 
 #include <optional>
 #include <string>
@@ -37,8 +39,8 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word in this list.
-using Prefabs = TypeList<Polygon, Box, Balls, Tire, Jelly, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain,
-                         Spiderweb, Tree, Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
+using Prefabs = TypeList<Polygon, Box, Ball, Balls, Wheel, Tire, Jelly, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh,
+                         Curtain, Spiderweb, Tree, Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
 
 namespace detail {
 template <class List> struct VariantOf;

@@ -149,7 +149,7 @@ struct MotionSection {
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.spin, Field{.name = "spin",
                                .help = "Angular velocity, counter-clockwise on screen; in 3D about \"axis\"",
-                               .unit = {.time = -1, .angle = true},
+                               .unit = unit::spin,
                                .low = -200 * pi<double>,
                                .high = 200 * pi<double>});
         visit(self.driver, Field{.name = "driver", .help = "Motion of the position; none if left out"});

@@ -319,7 +319,7 @@ constexpr std::array<Renamed, 9> renamed_words = {{{"angle", "turn"},
                                                    {"wheel_quickens", "wheel_time_scale"}}};
 
 /// Words of other engines and of everyday speech.
-constexpr std::array<Renamed, 36> foreign_words = {{{"anchored", "pinned"},
+constexpr std::array<Renamed, 35> foreign_words = {{{"anchored", "pinned"},
                                                     {"ball", "sphere"},
                                                     {"circle", "sphere"},
                                                     {"color", "looks"},
@@ -353,8 +353,7 @@ constexpr std::array<Renamed, 36> foreign_words = {{{"anchored", "pinned"},
                                                     {"type", "prefab"},
                                                     {"type", "driver"},
                                                     {"type", "force"},
-                                                    {"wall", "half_space"},
-                                                    {"wheel", "tire"}}};
+                                                    {"wall", "half_space"}}};
 
 } // namespace
 

@@ -123,6 +123,10 @@ struct ParticleSection {
     double mass = 1;
     double radius = 0;
     bool pinned = false;
+    std::string rolls{rolls_names[0]};
+    std::optional<double> inertia;
+    double spin = 0;
+    Point axis{{0, 0, 1}};
     double size = 0;
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
@@ -135,6 +139,21 @@ struct ParticleSection {
         visit(self.radius,
               Field{.name = "radius", .help = "Collision radius", .unit = unit::length, .low = 0, .high = 1e6});
         visit(self.pinned, Field{.name = "pinned", .help = "Held at the initial position"});
+        visit(self.rolls, Field{.name = "rolls",
+                                .help = "Turns as a ball does, by friction at its radius: while no constraint holds "
+                                        "it, always, or never (physical mode)",
+                                .choices = rolls_names});
+        visit(self.inertia, Field{.name = "inertia",
+                                  .help = "Moment of inertia, as a share of mass times radius^2; that of a solid ball, "
+                                          "0.4, in 2D of a disc, 0.5, if left out",
+                                  .low = 0.001,
+                                  .high = 1000});
+        visit(self.spin, Field{.name = "spin",
+                               .help = "Initial angular velocity, counter-clockwise on screen; in 3D about \"axis\"",
+                               .unit = unit::spin,
+                               .low = -1e6,
+                               .high = 1e6});
+        visit(self.axis, Field{.name = "axis", .help = "Axis of the spin (3D)"});
         visit(self.size, Field{.name = "size",
                                .help = "Diameter of the drawn dot; 0 for that of the looks",
                                .unit = unit::length,

@@ -75,6 +75,19 @@ template <int D, class Real> class WorldBuilder {
         return ClothContactKind(found - cloth_contact_names.begin());
     }
 
+    static Rolls rolls(std::string_view name) {
+        const auto found = std::find(rolls_names.begin(), rolls_names.end(), name);
+        SINEW_ASSERT(found != rolls_names.end(), "the reader accepts these names only");
+        return Rolls(found - rolls_names.begin());
+    }
+    Vec<spins<D>, Real> spin_of(const ParticleSection& particle) const {
+        const Real rate = Real(particle.spin * up_of(scene_));
+        if constexpr (D == 2)
+            return {{rate}};
+        else
+            return direction(vector(particle.axis)) * rate;
+    }
+
     void speed_up(ParticleId id, const Point& velocity) {
         if (velocity == Point{}) return;
         set_velocity(world_, id, *velocity_of(world_, id) + vector(velocity));
@@ -111,7 +124,10 @@ template <int D, class Real> class WorldBuilder {
                                                   .previous = previous,
                                                   .mass = Real(particle.mass),
                                                   .radius = Real(particle.radius),
-                                                  .figure = figure});
+                                                  .figure = figure,
+                                                  .rolls = rolls(particle.rolls),
+                                                  .inertia = Real(particle.inertia.value_or(solid_inertia<D>)),
+                                                  .spin = spin_of(particle)});
             world_.figures[figure].particles.push_back(id);
             world_.figures[figure].particle_names.emplace_back(called, id);
             if (particle.pinned) pin(world_, id);

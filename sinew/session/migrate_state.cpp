@@ -46,6 +46,8 @@ template <class WorldT> class Transplant {
         target.at_end[*to] = source.at_end[*from];
         target.residual[*to] = source.residual[*from];
         target.energy_debt.set(*to, source.energy_debt[*from]);
+        target.spin.set(*to, source.spin[*from]);
+        target.turn.set(*to, source.turn[*from]);
         target.quarantined[*to] = source.quarantined[*from];
         if (target.quarantined[*to]) target.mobility[*to] = 0;
     }

@@ -111,6 +111,13 @@ template <int D, class Real> class WorldCheck {
         rows_within("asleep", p_.asleep, n, 0, 1);
         rows_within("near", p_.near, n, 0, 1);
         rows_within("rest_time", p_.rest_time, n, 0, double(most));
+        for (Row row = 0; has_rows("rolls", p_.rolls, n) && row < n; ++row)
+            expect(p_.rolls[row] <= Rolls::never, "rolls", "an unknown word of a list");
+        rows_within("inertia", p_.inertia, n, 1e-9, 1e9);
+        for (Row row = 0; has_rows("spin", p_.spin, n) && row < n; ++row)
+            expect(is_finite(p_.spin[row]), "spin", "not a finite number");
+        for (Row row = 0; has_rows("turn", p_.turn, n) && row < n; ++row)
+            expect(absolute(norm(p_.turn[row].number) - Real(1)) < Real(1e-3), "turn", "not a rotation");
         rows_within("energy_debt", p_.energy_debt, n, -1e300, 1e300);
     }
     template <class ColumnT> void check_figure_column(const ColumnT& column, std::size_t rows) {

@@ -51,6 +51,16 @@ class NumberLister {
         auto& numbers = begin(name);
         for (std::size_t row = 0; row < column.size(); ++row) numbers.all.push_back(double(column[row]));
     }
+    template <int N, class Real> void put(std::string_view name, const Column<Vec<N, Real>>& column) {
+        auto& numbers = begin(name, N);
+        for (std::size_t row = 0; row < column.size(); ++row)
+            for (int i = 0; i < N; ++i) numbers.all.push_back(double(column[row][i]));
+    }
+    template <int D, class Real> void put(std::string_view name, const Column<collide::Rotation<D, Real>>& column) {
+        auto& numbers = begin(name, D == 2 ? 2 : 4);
+        for (std::size_t row = 0; row < column.size(); ++row)
+            for (std::size_t i = 0; i < numbers.width; ++i) numbers.all.push_back(double(column[row].number[int(i)]));
+    }
     template <class Real> void put(std::string_view name, const LimitColumns<Real>& limits) {
         auto& numbers = begin(name, 2);
         for (std::size_t row = 0; row < limits.size(); ++row) {

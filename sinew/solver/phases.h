@@ -43,6 +43,12 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
 template <int D, class Real> void gather(World<D, Real>& world, Solver<D, Real>& solver, Real h, Row first, Row last);
 template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>& solver, Row first, Row last);
 
+/// sweep/rolling.cpp: while a world is prepared, lists the particles that roll; before a sweep in substeps of length h,
+/// their turns; after it, the turns of a step of dt.
+template <int D, class Real> void find_rollers(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> void begin_rolling(World<D, Real>& world, Solver<D, Real>& solver, Real h);
+template <int D, class Real> void end_rolling(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
+
 /// plan.cpp: plans the sweep of everything outside the blocks; entirely if `anew`, otherwise the changed parts.
 template <int D, class Real> void make_plan(World<D, Real>& world, Solver<D, Real>& solver, bool anew);
 

@@ -4,6 +4,7 @@
 #include "sinew/math/vec.h"
 #include "sinew/solver/free_bodies.h"
 #include "sinew/solver/plan.h"
+#include "sinew/solver/rolling.h"
 #include "sinew/table/id.h"
 
 #include <algorithm>
@@ -53,7 +54,9 @@ template <int D, class Real> struct SweepState {
     bool everyone_alike = false; ///< only gravity acts in this step, equally on all
     Vec<D, Real> gravity{};
     Real largest_radius = 0;
-    std::vector<WallBlows<D, Real>> blows;            ///< by slot, in this substep
+    std::vector<WallBlows<D, Real>> blows; ///< by slot, in this substep
+    RollingRows rolling;
+    std::vector<Roller<D, Real>> rollers;             ///< by slot; none where nothing rolls
     bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
     FreeBodies<D> bodies;
@@ -102,6 +105,9 @@ template <int D, class Real> struct SweepState {
     Vec<D, Real> position_at(Row slot) const { return get(position, slot); }
     Vec<D, Real> displacement_at(Row slot) const { return get(displacement, slot); }
     Vec<D, Real> velocity_at(Row slot) const { return get(displacement, slot) * per_h; }
+    bool rolls(Row slot) const { return !rollers.empty() && rollers[slot].per_inertia > Real(0); }
+    /// Rim displaced per impulse, 1 / kg.
+    Real rim_mobility(Row slot) const { return mobility[slot] * rollers[slot].per_inertia; }
     void set_displacement(Row slot, const Vec<D, Real>& to) { put(displacement, slot, to); }
     Vec<D, Real> residual_at(Row slot) const { return get(residual, slot); }
 

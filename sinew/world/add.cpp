@@ -119,6 +119,10 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
     p.rest_time.push_back(Real(0));
     p.asleep.push_back(char(0));
     p.energy_debt.push_back(0);
+    p.rolls.push_back(spec.rolls);
+    p.inertia.push_back(is_finite(spec.inertia) ? clamp(spec.inertia, Real(0.001), Real(1000)) : Real(1));
+    p.spin.push_back(is_finite(spec.spin) ? clamp_components(spec.spin, limit::speed<Real>) : Vec<spins<D>, Real>{});
+    p.turn.push_back({});
     p.near.push_back(char(0));
     p.at_end.push_back(0);
     world.events.reserve(events_per_step);

@@ -213,6 +213,13 @@ template <int D, class Real> bool set_velocity(World<D, Real>& world, ParticleId
     return true;
 }
 
+template <int D, class Real> bool set_spin(World<D, Real>& world, ParticleId id, const Vec<spins<D>, Real>& spin) {
+    const auto row = world.particles.handles.find(id);
+    if (!row || !is_finite(spin)) return false;
+    world.particles.spin.set(*row, clamp_components(spin, limit::speed<Real>));
+    return true;
+}
+
 template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id, Real mass) {
     const auto row = world.particles.handles.find(id);
     if (!row) return false;
@@ -327,6 +334,7 @@ template <int D, class Real> std::size_t unpin_all(World<D, Real>& world, Partic
     template std::optional<Vec<D, Real>> velocity_of(const World<D, Real>&, ParticleId);                               \
     template bool set_position(World<D, Real>&, ParticleId, const Vec<D, Real>&);                                      \
     template bool set_velocity(World<D, Real>&, ParticleId, const Vec<D, Real>&);                                      \
+    template bool set_spin(World<D, Real>&, ParticleId, const Vec<spins<D>, Real>&);                                   \
     template bool set_mass(World<D, Real>&, ParticleId, Real);                                                         \
     template bool apply_force(World<D, Real>&, ParticleId, const Vec<D, Real>&);                                       \
     template bool apply_impulse(World<D, Real>&, ParticleId, const Vec<D, Real>&);                                     \

@@ -27,6 +27,9 @@ template <int D, class Real> struct ParticleSpec {
     Real mass = 1;                          ///< infinity: immovable
     Real radius = 0;
     FigureIndex figure = no_figure;
+    Rolls rolls = Rolls::loose;
+    Real inertia = Real(solid_inertia<D>); ///< as a share of mass times radius^2, 0.001 to 1000
+    Vec<spins<D>, Real> spin{};            ///< angular velocity, counter-clockwise; 1 / time
 };
 
 /// Interval of a constraint's measure.
@@ -163,6 +166,8 @@ template <int D, class Real> std::optional<Vec<D, Real>> velocity_of(const World
 /// Moves a particle; the velocity is unchanged.
 template <int D, class Real> bool set_position(World<D, Real>& world, ParticleId id, const Vec<D, Real>& position);
 template <int D, class Real> bool set_velocity(World<D, Real>& world, ParticleId id, const Vec<D, Real>& velocity);
+/// Angular velocity of a particle that rolls (Rolls), counter-clockwise; 1 / time. False if it is not finite.
+template <int D, class Real> bool set_spin(World<D, Real>& world, ParticleId id, const Vec<spins<D>, Real>& spin);
 template <int D, class Real> bool set_mass(World<D, Real>& world, ParticleId id, Real mass);
 /// Changes the collision radius. False for an unknown id or a NaN.
 template <int D, class Real> bool set_radius(World<D, Real>& world, ParticleId id, Real radius);

@@ -20,12 +20,16 @@ namespace sinew {
 
 template <class ParticlesT, class Visit> void visit_particles(ParticlesT& particles, Visit&& visit) {
     auto& [position, previous, velocity, at_end, residual, force, any_force, inverse_mass, mobility, radius, figure,
-           quarantined, rest_time, asleep, energy_debt, near, handles] = particles;
+           quarantined, rest_time, asleep, energy_debt, rolls, inertia, spin, turn, near, handles] = particles;
     visit.enter("particles");
     visit.fixed("handles", handles);
     visit.fixed("inverse_mass", inverse_mass);
     visit.fixed("radius", radius);
     visit.fixed("figure", figure);
+    visit.fixed("rolls", rolls);
+    visit.fixed("inertia", inertia);
+    visit.moving("spin", spin);
+    visit.moving("turn", turn);
     visit.moving("position", position);
     visit.moving("previous", previous);
     visit.moving("velocity", velocity);

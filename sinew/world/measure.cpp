@@ -36,6 +36,11 @@ template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row
     return p.inverse_mass[row] > Real(0) ? 1.0 / double(p.inverse_mass[row]) : 0.0;
 }
 
+/// Moment of inertia about the centre of a particle that rolls.
+template <int D, class Real> double inertia_of(const Particles<D, Real>& p, Row row) {
+    return double(p.inertia[row]) * mass_of(p, row) * square(double(p.radius[row]));
+}
+
 template <int D, class Real> struct PotentialOf {
     double mass;
     Vec<D, double> position;
@@ -165,6 +170,8 @@ template <int D, class Real> void add_particle_energy(const World<D, Real>& worl
     const double mass = mass_of(p, row);
     const auto velocity = cast<double>(p.velocity[row]);
     sum.kinetic += 0.5 * mass * dot(velocity, velocity);
+    const auto spin = cast<double>(p.spin[row]);
+    sum.kinetic += 0.5 * inertia_of(p, row) * dot(spin, spin);
     for (const auto& force : world.forces)
         sum.potential += std::visit(PotentialOf<D, Real>{mass, position_of_velocity(world, row), p.figure[row]}, force);
 }
@@ -246,6 +253,7 @@ template <int D, class Real> Vec3<double> angular_momentum(const World<D, Real>&
             impulse[i] = double(p.velocity[row][i]) * mass_of(p, row);
         }
         sum += cross(arm, impulse);
+        for (int i = 0; i < spins<D>; ++i) sum[D == 2 ? 2 : i] += double(p.spin[row][i]) * inertia_of(p, row);
     }
     return sum;
 }

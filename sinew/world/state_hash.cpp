@@ -183,6 +183,16 @@ template <class Particles> void add_sleepers(const Particles& p, Digest& digest)
     }
 }
 
+/// Particles that turn, or roll in another way than by default.
+template <int D, class Real> void add_rolling(const Particles<D, Real>& p, Digest& digest) {
+    for (Row row = 0; row < p.size(); ++row) {
+        if (p.spin[row] != Vec<spins<D>, Real>{} || p.turn[row] != collide::Rotation<D, Real>{})
+            digest.add(row, p.spin[row], p.turn[row].number);
+        if (p.rolls[row] != Rolls::loose || p.inertia[row] != Real(solid_inertia<D>))
+            digest.add(row, p.rolls[row], p.inertia[row]);
+    }
+}
+
 /// Contacts of the last step, from which the next one starts.
 template <class Contacts> void add_contacts(const Contacts& contacts, Digest& digest) {
     for (const auto& pair : contacts.touching)
@@ -204,6 +214,7 @@ template <int D, class Real> std::uint64_t state_hash(const World<D, Real>& worl
                p.quarantined, p.mobility);
     if (world.settings.sleep.speed != 0) digest.add(p.rest_time, p.asleep, world.sleep_parameters);
     if (any_near(p)) digest.add(p.near);
+    add_rolling(p, digest);
     if (p.energy_debt.any_of([](double debt) { return debt != 0; })) digest.add(p.energy_debt);
     for_each_table(world, [&](const auto& table) { add_constraints(table, digest); });
     for (const auto& run : world.sweep) digest.add(run.kind, run.count);

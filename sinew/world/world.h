@@ -4,6 +4,7 @@
 #include "sinew/collide/collider.h"
 #include "sinew/constraint/kinds.h"
 #include "sinew/math/limit.h"
+#include "sinew/math/moments.h"
 #include "sinew/table/column.h"
 #include "sinew/table/id.h"
 #include "sinew/table/limit_columns.h"
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -38,6 +40,18 @@ template <class Real> constexpr Real max_displacement(Real h) {
     return min(limit::speed<Real> * h, Real(2) * limit::coordinate<Real>);
 }
 
+/// Whether a particle with a radius turns as a ball does (a disc in 2D), by friction at its rim, in physical mode.
+enum class Rolls : std::uint8_t {
+    loose, ///< while no constraint holds it and it can move
+    always,
+    never
+};
+
+inline constexpr std::array<std::string_view, 3> rolls_names = {"loose", "always", "never"}; ///< in the order of Rolls
+
+/// Moment of inertia of a solid disc (2D) or ball (3D), as a share of mass times radius^2.
+template <int D> inline constexpr double solid_inertia = 2.0 / (D + 2);
+
 template <int D, class Real> struct Particles {
     std::vector<Vec<D, Real>> position;
     std::vector<Vec<D, Real>> previous; ///< position one step ago; the state of classic mode
@@ -54,6 +68,10 @@ template <int D, class Real> struct Particles {
     Column<Real> rest_time;        ///< time for which the body of a particle, its first one, has been at rest
     Column<char> asleep;           ///< left out of the step until the body is woken (docs/concepts/contact.md)
     Column<double> energy_debt; ///< energy that constraints of a joined figure still owe, J: a sum over its particles
+    Column<Rolls> rolls;
+    Column<Real> inertia;                    ///< moment of inertia, as a share of mass times radius^2; > 0
+    Column<Vec<spins<D>, Real>> spin;        ///< angular velocity of a particle that rolls, 1 / time
+    Column<collide::Rotation<D, Real>> turn; ///< rotation by it so far
     Column<char> near; ///< to something that the body may touch: held by rows of contact, not by a direct block
     HandleMap<ParticleTag> handles;
 
@@ -74,6 +92,10 @@ template <int D, class Real> struct Particles {
         visit(self.rest_time);
         visit(self.asleep);
         visit(self.energy_debt);
+        visit(self.rolls);
+        visit(self.inertia);
+        visit(self.spin);
+        visit(self.turn);
         visit(self.near);
     }
 };

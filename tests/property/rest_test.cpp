@@ -28,6 +28,7 @@ template <class In> struct Lying {
         while (!world.pins.empty()) unpin_all(world, world.pins[0].particle);
         for (const auto& position : world.particles.position)
             size = std::max(size, double(norm(position - center_of_mass_now())));
+        if (size == 0) size = double(world.particles.radius[0]);
         mass = total_mass(world);
         test::fall(world, g);
         for (int i = 0; i < D; ++i)

@@ -145,7 +145,6 @@ TEST(Words, OfOtherEnginesLeadToOurs) {
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "position": [0, 1]}])"), "did you mean \"at\"?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "density": 1}])"), "did you mean \"mass\"?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "color": "red"}])"), "did you mean \"looks\"?"));
-    EXPECT_TRUE(says(in(R"("figures": [{"prefab": "wheel"}])"), "did you mean \""));
 }
 
 TEST(Override, ThatIsBrokenIsNoWord) {

@@ -77,6 +77,17 @@ template <class WorldT, class Each> struct FieldSpoiler {
         field = field == T(0) ? T(1) : T(0);
         return true;
     }
+    template <class T>
+    requires std::is_enum_v<T>
+    static bool change(T& field) {
+        field = field == T(0) ? T(1) : T(0);
+        return true;
+    }
+    template <int N, class Real> static bool change(Vec<N, Real>& vector) {
+        vector[0] += Real(1);
+        return true;
+    }
+    template <int D, class Real> static bool change(collide::Rotation<D, Real>& turn) { return change(turn.number); }
     template <int D, class Real> static bool change(std::vector<Vec<D, Real>>& column) {
         if (column.empty()) return false;
         column.front()[0] += Real(1);

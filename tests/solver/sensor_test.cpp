@@ -127,12 +127,14 @@ TEST(Belt, CarriesABallAndACrate) {
                                                          .target = {{{0, -0.5}}, {}},
                                                          .friction = 0.5,
                                                          .surface_velocity = {{speed, 0}}});
-        const auto ball = add_particle(world, {.position = {{-3, 0.1}}, .radius = 0.1});
+        const auto ball = add_particle(world, {.position = {{-3, 0.1}}, .radius = 0.1, .rolls = Rolls::never});
+        const auto disc = add_particle(world, {.position = {{-6, 0.1}}, .radius = 0.1});
         const auto crate = add_crate(world, 3, 0.5, 1, 1);
         run(world, 0.1);
         EXPECT_NEAR((*velocity_of(world, ball))[0], speed > 0 ? 0.5 : -0.5, 0.03);
         run(world, 1);
         EXPECT_NEAR((*velocity_of(world, ball))[0], speed, 1e-3);
+        EXPECT_NEAR((*velocity_of(world, disc))[0], speed / 3, 1e-3) << "half of m r^2 turns";
         EXPECT_NEAR((*velocity_of(world, crate[0]))[0], speed, 1e-2);
     }
 }

@@ -23,13 +23,17 @@ template <int D, class Real> struct ContactRow {
     Real friction = 0;
     Real multiplier = 0; ///< h newton seconds, >= 0
     Real max = 0;        ///< largest multiplier in this substep
+    Real arm = 0;        ///< at which friction turns balls, as a share of their radii; 0: it turns nothing
     std::uint8_t members = 0;
-    bool keeps = true;    ///< the multiplier outlasts the substep
-    signed char side = 0; ///< 2D: of the segment on which the particle is, 1: left of a-b
+    bool keeps = true;       ///< the multiplier outlasts the substep
+    bool is_central = false; ///< the normal is the line of centres, and turns with it
+    signed char side = 0;    ///< 2D: of the segment on which the particle is, 1: left of a-b
 };
 
 /// The rest of a row.
 template <int D, class Real> struct ContactOrigin {
+    static constexpr Real share_of_deep = Real(0.5); ///< of the radii
+
     Vec<D, Real> surface_displacement{};          ///< displacement of a wall in the substep
     Real deep = std::numeric_limits<Real>::max(); ///< depth from which the row is held as the figures answer
     Real restitution = 0;
@@ -38,6 +42,9 @@ template <int D, class Real> struct ContactOrigin {
     std::uint32_t collider = ~std::uint32_t(0); ///< index of a collider, if there is one
     Real pushed = 0;                            ///< impulse in the substep apart from the multiplier, h newton seconds
     bool is_one_way = false; ///< the collider holds only what it held before, or comes from its front
+
+    /// Arm of friction on two balls whose centres are so far apart.
+    Real arm_at(Real distance) const { return max(share_of_deep * distance / deep, Real(0.1)); }
 };
 
 /// Row of a wall while a body rebounds. Displacements are those along the normal in a substep.

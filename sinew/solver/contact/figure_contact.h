@@ -66,6 +66,7 @@ template <int D, class Real> class FigureContact {
     void relax() {
         if (!is_active_) return;
         room().projector.restore_energy(state_, threads_);
+        each_part([&](Part& part) { rows_.follow_centres(part); });
         room().joints.solve(state_, Soft::none());
         Rebounds<D, Real> rebounds(room(), state_, rows_, h_);
         each_part([&](Part& part) {
@@ -126,7 +127,7 @@ template <int D, class Real> class FigureContact {
     }
     void apply_again(RowT& row) {
         if (!row.keeps || is_elastic(row.slot[0])) row.multiplier = 0, row.tangent = {};
-        if (row.multiplier > Real(0)) rows_.apply(row, row.normal * row.multiplier + row.tangent);
+        if (row.multiplier > Real(0)) rows_.apply_again(row);
     }
 
     /// Scales the kept multipliers, with the square of the substep; returns the factor.

@@ -11,6 +11,19 @@
 /// Contact of a swept particle with a plane; a collider is a plane at each contact.
 namespace sinew::detail {
 
+/// Friction of a wall on a particle that moves along it, up to `bound`: returns what takes effect on the particle, and
+/// turns one that rolls. `per`: motion for a unit of displacement in the substep.
+template <int D, class Real>
+Vec<D, Real> rub(SweepState<D, Real>& swept, Row slot, const Vec<D, Real>& normal, const Vec<D, Real>& along,
+                 Real bound, Real per = 1) {
+    if (!swept.rolls(slot)) return along * coulomb_share(bound, norm(along));
+    auto& roller = swept.rollers[slot];
+    const auto slip = along + slip_of_rim(roller.rim * per, normal);
+    const auto slowed = slip * min(coulomb_share(bound, norm(slip)), Real(1) / (Real(1) + roller.per_inertia));
+    roller.rim -= turn_of_rim(normal, slowed) * (roller.per_inertia / per);
+    return slowed;
+}
+
 template <int D, class Real> class PlaneContact {
   public:
     PlaneContact(World<D, Real>& world, Solver<D, Real>& solver, SubstepMover<D, Real>& mover)
@@ -46,8 +59,8 @@ template <int D, class Real> class PlaneContact {
             mover_.first_iteration ? blow_of(plane.normal, restitution, approach, *begun, forced) : std::nullopt;
         const RelativeMotion<D, Real> motion(plane.normal, swept_.displacement_at(slot) - surface_displacement);
         const Real stopped = min(depth + (blow ? blow->departure : Real(0)), mover_.furthest);
-        const Real slowed = coulomb_share(friction * stopped, norm(motion.along));
-        mover_.displace_at(slot, plane.normal * stopped - motion.along * slowed);
+        const auto slowed = rub(swept_, slot, plane.normal, motion.along, friction * stopped);
+        mover_.displace_at(slot, plane.normal * stopped - slowed);
         const Real carried = dot(plane.normal, surface_displacement) * mover_.per_h;
         if (blow && blow->away * mover_.per_h + carried >= Real(0))
             blows.add({plane.normal, blow->away * mover_.per_h + carried, stopped * mover_.per_h,

@@ -24,6 +24,15 @@ template <int D, class Real> class RowSolver {
             state_.set_displacement(row.slot[i], clamp_components(moved, furthest_));
         }
     }
+    /// Gives the multiplier of friction once more, and turns what it rubs.
+    void apply_again(const RowT& row) const {
+        apply(row, row.normal * row.multiplier + row.tangent);
+        if (row.arm > Real(0)) turn(row, row.tangent);
+    }
+    /// True for a member that is touched itself, as a ball is; ends of links share a contact between them.
+    static bool is_ball(const RowT& row, std::size_t i) {
+        return row.weight[i] == Real(1) || row.weight[i] == Real(-1);
+    }
     Vector relative_displacement(const RowT& row) const {
         auto sum = state_.displacement_at(row.slot[0]) * row.weight[0];
         for (std::size_t i = 1; i < row.slot.size(); ++i) sum += state_.displacement_at(row.slot[i]) * row.weight[i];
@@ -39,15 +48,48 @@ template <int D, class Real> class RowSolver {
         const Real along = dot(row.normal, moved);
         const Real next =
             min(one_sided_multiplier(row.multiplier, row.mass, along, row.gap, soft), limit::multiplier<Real>);
-        const auto slip = moved - row.normal * along;
-        auto tangent = row.tangent - slip * row.mass;
+        auto slip = moved - row.normal * along;
+        Real mass = row.mass;
+        if (row.arm > Real(0)) add_turns(row, slip, mass);
+        auto tangent = row.tangent - slip * mass;
         const Real square_size = dot(tangent, tangent), max_friction = row.friction * next;
         if (square_size > square(max_friction)) tangent *= max_friction * inverse_or_zero(square_root(square_size));
         row.max = max(row.max, next);
         if (next == row.multiplier && tangent == row.tangent) return;
         apply(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
+        if (row.arm > Real(0)) turn(row, tangent - row.tangent);
         row.multiplier = next;
         row.tangent = tangent;
+    }
+    /// From the other side to the side of the normal.
+    Vector centre_line(const RowT& row) const {
+        Vector line{};
+        const auto first = state_.position_at(row.slot[0]);
+        for (std::size_t i = 1; i < std::size_t(row.members); ++i)
+            line += (state_.position_at(row.slot[i]) - first) * row.weight[i];
+        return line;
+    }
+    bool is_central(const RowT& row) const {
+        constexpr auto slight = Real(1e-3);
+        const auto line = centre_line(row);
+        const Real along = dot(line, row.normal);
+        return along > Real(0) && dot(line, line) - square(along) <= square(slight * along);
+    }
+    /// Turns the normals between figures with the lines of centres, after the move: an impulse along such a line has no
+    /// moment, which one along the normal from before the move has.
+    void follow_centres(ContactPart<D, Real>& part) const {
+        constexpr auto most = Real(0.7); // cosine
+        for (std::size_t i = 0; i < part.first_wall; ++i) {
+            auto& row = part.rows[i];
+            if (!row.is_central) continue;
+            const auto line = centre_line(row);
+            const Real distance = norm(line);
+            const auto normal = line * inverse_or_zero(distance);
+            if (!(dot(normal, row.normal) > most)) continue;
+            if (row.arm > Real(0) && row.members == 2 && is_ball(row, 1)) row.arm = part.origins[i].arm_at(distance);
+            row.normal = normal;
+            row.tangent -= normal * dot(normal, row.tangent);
+        }
     }
     /// All rows of a part.
     void solve(ContactPart<D, Real>& part, const Softness<Real>& kept, const Softness<Real>& others) const {
@@ -64,6 +106,27 @@ template <int D, class Real> class RowSolver {
   private:
     SweepState<D, Real>& state_;
     Real furthest_;
+
+    template <class Visit> void each_ball(const RowT& row, const Visit& visit) const {
+        for (std::size_t i = 0; i < std::size_t(row.members); ++i)
+            if (is_ball(row, i) && state_.rolls(row.slot[i])) visit(row.slot[i]);
+    }
+    /// What turns add to the slip, and to the response of it.
+    void add_turns(const RowT& row, Vector& slip, Real& mass) const {
+        Real response = Real(1) / mass;
+        each_ball(row, [&](Row slot) {
+            slip += slip_of_rim(state_.rollers[slot].rim, row.normal) * row.arm;
+            response += state_.rim_mobility(slot) * square(row.arm);
+        });
+        mass = Real(1) / response;
+    }
+    void turn(const RowT& row, const Vector& impulse) const {
+        const auto by = turn_of_rim(row.normal, impulse);
+        each_ball(row, [&](Row slot) {
+            auto& rim = state_.rollers[slot].rim;
+            rim = clamp_components(rim + by * (state_.rim_mobility(slot) * row.arm), furthest_);
+        });
+    }
 };
 
 } // namespace sinew::detail

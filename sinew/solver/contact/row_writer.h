@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/contact_room.h"
+#include "sinew/solver/contact/row_solver.h"
 
 namespace sinew::detail {
 
@@ -17,7 +18,8 @@ template <int D, class Real> class RowWriter {
     ContactRoom<D, Real>& room_;
     ContactPart<D, Real>& part_;
     Real h_;
-    static constexpr Real share_of_deep = Real(0.5); ///< of the radii
+    RowSolver<D, Real> rows_{state_, max_displacement(h_)};
+    static constexpr Real share_of_deep = Origin::share_of_deep;
 
     RowWriter(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h)
         : world_(world), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)), part_(part),
@@ -26,6 +28,15 @@ template <int D, class Real> class RowWriter {
     Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
 
+    /// Two balls are turned at arms that meet, however far apart they are when the blow is foreseen: what one receives
+    /// of angular momentum the other gives.
+    Real arm_of(const ContactRowT& row, const Origin& origin) const {
+        std::size_t balls = 0, rolling = 0;
+        for (std::size_t i = 0; i < row.members; ++i)
+            if (RowSolver<D, Real>::is_ball(row, i)) ++balls, rolling += state_.rolls(row.slot[i]);
+        if (rolling == 0) return 0;
+        return balls == 2 ? origin.arm_at(norm(rows_.centre_line(row))) : Real(1);
+    }
     static void take(ContactRowT& row, Row slot, Real weight) {
         row.slot[row.members] = slot;
         row.weight[row.members++] = weight;
@@ -46,6 +57,8 @@ template <int D, class Real> class RowWriter {
         if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
         for (int i = 0; i < row.members; ++i) row.keeps = row.keeps && room_.is_exact[row.slot[std::size_t(i)]];
         for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
+        row.arm = arm_of(row, origin);
+        row.is_central = row.keeps && row.members > 1 && rows_.is_central(row);
         row.mass = Real(1) / response;
         origin.approach = approach;
         row.tangent -= row.normal * dot(row.normal, row.tangent);

@@ -267,6 +267,7 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     make_plan(world, *this, anew);
     tie_ports(world, *this);
     find_free_bodies(world, *this);
+    find_rollers(world, *this);
     if (contacts) contacts->is_stale = true;
     journal.read();
     report(1);

@@ -70,7 +70,10 @@ template <int D, class Real> class Sleep {
         if (!solver.sleep) solver.sleep = std::make_shared<SleepRoom<D, Real>>();
         return *solver.sleep;
     }
-    bool is_disturbed(Row row) const { return p_.velocity[row] != Vec<D, Real>{} || p_.force[row] != Vec<D, Real>{}; }
+    bool is_disturbed(Row row) const {
+        return p_.velocity[row] != Vec<D, Real>{} || p_.force[row] != Vec<D, Real>{} ||
+               p_.spin[row] != Vec<spins<D>, Real>{};
+    }
     template <class Is> void wake_if(Is&& is_woken) {
         for (Row row = 0; row < p_.size(); ++row) {
             const auto body = room_.body_of[row];
@@ -121,6 +124,7 @@ template <int D, class Real> class Sleep {
     void put_to_sleep(Row row) {
         p_.asleep.set(row, 1);
         p_.velocity[row] = {};
+        if (p_.spin[row] != Vec<spins<D>, Real>{}) p_.spin.set(row, {});
         p_.previous[row] = p_.position[row];
         world_.journal.touch(p_.handles.index_of(row), Touch::joined);
     }

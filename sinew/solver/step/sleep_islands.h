@@ -44,6 +44,7 @@ template <int D, class Real> class SleepIslands {
         for (Row row = 0; row < p_.size(); ++row) {
             auto& fastest2 = room_.squared_speed[room_.body_of[row]];
             fastest2 = max(fastest2, dot(p_.velocity[row], p_.velocity[row]));
+            fastest2 = max(fastest2, dot(p_.spin[row], p_.spin[row]) * square(p_.radius[row]));
         }
     }
 

@@ -24,6 +24,7 @@ template <int D, class Real> void step_sweep(World<D, Real>& world, Solver<D, Re
     const bool motorized = !(plan.others.empty() && solver.blocks.list.empty()) && any_driven(world);
     if (solver.sweep_state.size() == 0 && !motorized) return forget_contacts(world);
     begin_sweep(world, solver, h);
+    begin_rolling(world, solver, h);
     find_contact_features(world, solver);
     const detail::Substeps<D, Real> substeps(world, solver, count, h);
     const bool is_coupled =
@@ -44,6 +45,7 @@ void physical_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt, deta
     step_blocks(world, solver, dt, h);
     laps.end(Phase::blocks);
     step_sweep(world, solver, substeps, h);
+    end_rolling(world, solver, dt);
     world.last_step = dt;
     world.last_substep = h;
 }

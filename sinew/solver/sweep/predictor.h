@@ -44,7 +44,13 @@ template <int D, class Real> class Predictor {
         const auto pushed =
             swept_.displacement_at(slot) * decay_.keep + forcing.acceleration * (kick_ * decay_.yield) * h_;
         swept_.set_displacement(slot, clamp_components(pushed, furthest_));
+        if (!swept_.rollers.empty()) swept_.rollers[slot].rim *= decay_.keep;
         weigh(slot);
+    }
+    /// Slows the turns down by the common damping.
+    void slow_turns(const Tile& tile) {
+        if (swept_.rollers.empty()) return;
+        for (Row slot = tile.first; slot < tile.last; ++slot) swept_.rollers[slot].rim *= decay_.keep;
     }
 
     /// Scales mobilities by the common drag. Kicks are equally long from the second substep on: later substeps change

@@ -42,6 +42,7 @@ template <int D, class Real> class Substep {
             for (Row slot = tile.first; slot < tile.last; ++slot) swept_.blows[slot].count = 0;
         if (swept_.everyone_alike) {
             predictor_.weigh(tile);
+            predictor_.slow_turns(tile);
             kernels_.drift(motion_, tile.first, tile.last);
         } else {
             for (Row slot = tile.first; slot < tile.last; ++slot) predictor_.predict(slot);
@@ -166,7 +167,10 @@ template <int D, class Real> class Substep {
 
     /// x += h v. The rounding error is carried to the next substep: otherwise a float particle slower than half a
     /// unit in the last place per substep would not move.
-    void advance(const Tile& tile) { kernels_.advance(motion_, tile.first, tile.last); }
+    void advance(const Tile& tile) {
+        roll(tile);
+        kernels_.advance(motion_, tile.first, tile.last);
+    }
 
     /// Velocities of particles that struck planes or colliders, by restitution and friction.
     void rebound(const Tile& tile) {
@@ -193,6 +197,8 @@ template <int D, class Real> class Substep {
         }
         tether_in_turn(tile);
         if (!next) return advance(tile);
+        roll(tile);
+        next->predictor_.slow_turns(tile);
         kernels_.go_on(next->motion_, tile.first, tile.last);
         next->predictor_.weigh(tile);
         next->pins().move(tile);
@@ -224,7 +230,7 @@ template <int D, class Real> class Substep {
             const auto& blow = blows.list[k];
             const Real added = max(Real(0), given[k]);
             const RelativeMotion<D, Real> motion(blow.normal, velocity - blow.surface);
-            velocity -= motion.along * coulomb_share(blow.friction * added, norm(motion.along));
+            velocity -= rub(swept_, slot, blow.normal, motion.along, blow.friction * added, mover_.per_h);
             if (blow.collider > 0)
                 solver_.touches.add(swept_.row_of[slot], blow.collider - 1,
                                     added * inverse_or_zero(swept_.mobility[slot]));
@@ -281,7 +287,10 @@ template <int D, class Real> class Substep {
         batch.parameters += batch.uniform ? 0 : first;
         return batch;
     }
-
+    void roll(const Tile& tile) {
+        if (swept_.rollers.empty()) return;
+        for (Row slot = tile.first; slot < tile.last; ++slot) swept_.rollers[slot].rolled += swept_.rollers[slot].rim;
+    }
     void part_heaps(std::uint32_t first, std::uint32_t last) {
         auto& table = std::get<kind_number<Distance, D>>(world_.constraints);
         for (auto run = first; run < last; ++run)
