@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-/// What holds up a figure in a substep (support.h).
+/// Support of a figure in a substep (support.h).
 template <int D, class Real> struct FigureSupport {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
     Vec<D, Real> normals{};     ///< sum of the normals along which it is held

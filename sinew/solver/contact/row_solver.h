@@ -111,7 +111,7 @@ template <int D, class Real> class RowSolver {
         for (std::size_t i = 0; i < std::size_t(row.members); ++i)
             if (is_ball(row, i) && state_.rolls(row.slot[i])) visit(row.slot[i]);
     }
-    /// What turns add to the slip, and to the response of it.
+    /// Adds the turns of balls to the slip, and to its response.
     void add_turns(const RowT& row, Vector& slip, Real& mass) const {
         Real response = Real(1) / mass;
         each_ball(row, [&](Row slot) {

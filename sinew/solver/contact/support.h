@@ -5,8 +5,8 @@
 
 namespace sinew::detail {
 
-/// What walls hold up, and figures on walls: of two that are pressed together, the one nearer to the wall does not give
-/// way, since what holds it up answers in the same substep (shock propagation: Guendelman, Bridson and Fedkiw 2003).
+/// Figures that walls hold up, and figures on these. Of two pressed together, the one nearer to the wall does not give
+/// way, since its support answers in the same substep (shock propagation: Guendelman, Bridson and Fedkiw 2003).
 /// Otherwise a heavy figure would sink into a light one by nearly all of its speed, once a round.
 template <int D, class Real> class Support {
   public:
