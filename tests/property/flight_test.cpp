@@ -24,7 +24,7 @@ TEST(FreeFlight, WhatHappensInsideDoesNotDependOnTheVelocityOfTheWhole) {
     for_every_figure([]<int D>(const auto& prefab) {
         for (const double damping : {0.0, 0.5}) {
             Flight<D> still(prefab, Vec<D, double>{}, damping), flying(prefab, thrown<D>(), damping);
-            if (still.world.particles.size() == 0) return;
+            if (still.world.particles.size() < 2) return; // nothing inside
             still.fly(lasting(0.25));
             flying.fly(lasting(0.25));
             EXPECT_LE(parted(still.world, flying.world), 1e-9 * still.size()) << prefab.name << " in " << D << "D";
