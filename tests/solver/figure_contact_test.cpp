@@ -49,7 +49,7 @@ TYPED_TEST(Figures2, APyramidOfFifteenRowsRests) {
         EXPECT_LT(double(norm(world.particles.position[i] - before[i])), 0.05) << i;
 }
 
-// What holds up the light crate answers within the substep: the heavy one goes in no deeper than their radii, and
+// The floor under the light crate answers within the substep: the heavy one goes in no deeper than their radii, and
 // rests.
 TYPED_TEST(Figures2, AHeavyCrateRestsOnALightOne) {
     for (const double ratio : {10.0, 100.0, 1000.0})

@@ -17,7 +17,7 @@ TYPED_TEST_SUITE(Rolling, Everywhere, Names);
 
 constexpr double g = 9.81, radius = 0.2;
 
-/// What keeps a ball from falling through the ground.
+/// Floor that keeps a ball from falling.
 enum class Ground { plane, collider, rows };
 constexpr auto grounds = {Ground::plane, Ground::collider, Ground::rows};
 
@@ -115,7 +115,7 @@ TYPED_TEST(Rolling, SlidingAndSpinningEndInRolling) {
             }
 }
 
-/// What a conveyor's surface carries along turns as a wheel on it does, the other way.
+/// A ball that a conveyor carries along turns as a wheel on it does, the other way.
 TYPED_TEST(Rolling, AConveyorSpinsABallThatIsHeld) {
     using World = typename TypeParam::World;
     using Real = typename World::Real;
@@ -170,7 +170,7 @@ TYPED_TEST(Rolling, BallsThatRubEachOtherKeepTheirAngularMomentum) {
     EXPECT_GT(std::abs(double(world.particles.spin[0][spins<World::dimension> - 1])), 0.1);
 }
 
-/// What a constraint holds does not roll unless it says so; nothing does in classic mode.
+/// A particle that a constraint holds does not roll unless it says so; in classic mode none does.
 TYPED_TEST(Rolling, LooseParticlesRollAndOthersDoNot) {
     using World = typename TypeParam::World;
     using Real = typename World::Real;

@@ -17,6 +17,7 @@ template <int D, class Real> struct FigureSupport {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
     Vec<D, Real> normals{};     ///< sum of the normals along which it is held
     std::uint32_t level = none; ///< figures from the wall on
+    Vec<D, Real> load{};        ///< impulse that its support answers to, against it
     std::uint32_t last = none;  ///< of the rows that hold it: index in ContactRoom::held_up
 };
 /// Row that holds up a figure.
@@ -25,6 +26,7 @@ template <int D, class Real> struct HoldingRow {
     ContactOrigin<D, Real>* origin = nullptr;
     std::uint32_t on = FigureSupport<D, Real>::none;       ///< figure below; none for a wall
     Real side = 1;                                         ///< -1: the figure is on the other side of the row's normal
+    std::uint32_t figure = 0;                              ///< that is held up
     std::uint32_t previous = FigureSupport<D, Real>::none; ///< of the same figure
 };
 

@@ -26,7 +26,8 @@ template <int D, class Real> class DeepRows {
         Support<D, Real> support(*solver_.contacts, rows_);
         support.find();
         for (int i = 0; i < rounds; ++i)
-            if (!hold_each(support)) return;
+            if (!hold_each(support)) break;
+        support.pass_loads_on();
     }
 
     /// Links of a taut rope give way across it to first order and not to second: the correction of its lengths brings
@@ -103,7 +104,7 @@ template <int D, class Real> class DeepRows {
         if (alone <= much * together) acting = {row};
         const Real impulse = min(lacking * (alone > much * together ? alone : together), limit::multiplier<Real>);
         held_.push(acting.row, impulse);
-        if (acting.held != FigureSupport<D, Real>::none) support.pass_on(acting, row, impulse);
+        if (acting.held != FigureSupport<D, Real>::none) support.load(acting, row, impulse);
         origin.pushed += impulse;
         row.max = max(row.max, row.multiplier + impulse);
         return impulse > Real(0);

@@ -46,10 +46,26 @@ template <int D, class Real> class Support {
         if (at(above).level < at(below).level && holds(above, -row.normal)) return without(row, above);
         return {row};
     }
-    /// Tells the rows that hold up the side that does not give way of an impulse on it, down to the walls.
-    void pass_on(const Acting& acting, const RowT& row, Real impulse) const {
+    /// Notes an impulse on the side that does not give way.
+    void load(const Acting& acting, const RowT& row, Real impulse) const {
         const bool is_below = acting.held == (*sides_of(row))[1];
-        pass_on(acting.held, row.normal * Real(is_below ? 1 : -1), impulse);
+        at(acting.held).load += row.normal * (is_below ? impulse : -impulse);
+    }
+    /// Tells the rows that hold up a loaded figure of their shares, down to the walls. Rows are listed from the walls
+    /// on.
+    void pass_loads_on() const {
+        for (auto i = room_.held_up.size(); i-- > 0;) {
+            auto& holding = room_.held_up[i];
+            const auto load = at(holding.figure).load;
+            const Real along = along_of(holding, load);
+            if (along == Real(0)) continue;
+            Real sum = 0;
+            for (auto k = at(holding.figure).last; k != none; k = room_.held_up[k].previous)
+                sum += along_of(room_.held_up[k], load);
+            const Real share = norm(load) * along * inverse_or_zero(sum);
+            holding.origin->pushed += share;
+            if (holding.on != none) at(holding.on).load += holding.row->normal * (holding.side * share);
+        }
     }
 
   private:
@@ -83,21 +99,8 @@ template <int D, class Real> class Support {
             if (of(row.slot[i]) == side) acting.row.weight[i] = 0;
         return acting;
     }
-    void pass_on(std::uint32_t figure, const Vector& normal, Real impulse) const {
-        Real sum = 0;
-        each_holding(figure, normal, [&](auto&, Real along) { sum += along; });
-        each_holding(figure, normal, [&](auto& holding, Real along) {
-            const Real share = impulse * along * inverse_or_zero(sum);
-            holding.origin->pushed += share;
-            if (holding.on != none) pass_on(holding.on, holding.row->normal * holding.side, share);
-        });
-    }
-    template <class Visit> void each_holding(std::uint32_t figure, const Vector& normal, const Visit& visit) const {
-        for (auto i = at(figure).last; i != none; i = room_.held_up[i].previous) {
-            auto& holding = room_.held_up[i];
-            if (const Real along = dot(holding.row->normal * holding.side, normal); along > Real(0))
-                visit(holding, along);
-        }
+    static Real along_of(const HoldingRow<D, Real>& holding, const Vector& load) {
+        return max(dot(holding.row->normal * holding.side, load), Real(0));
     }
     bool touches(const RowT& row, const ContactOrigin<D, Real>& origin) const {
         return row.multiplier > Real(0) || row.gap + rows_.change(row, origin.surface_displacement) <= Real(0);
@@ -111,7 +114,7 @@ template <int D, class Real> class Support {
         auto& support = at(figure);
         if (support.level < level) return false;
         support.level = level, support.normals += holding.row->normal * holding.side;
-        holding.previous = support.last;
+        holding.figure = figure, holding.previous = support.last;
         support.last = std::uint32_t(room_.held_up.size());
         room_.held_up.push_back(holding);
         return true;

@@ -22,7 +22,7 @@ template <int D, class Real> void turn_on(Particles<D, Real>& p, Row row, const 
     p.turn.set(row, (collide::Rotation<D, Real>::by(angle) * p.turn[row]).normalized());
 }
 
-/// What does not roll, or no longer, has no spin.
+/// Particles that do not roll, or no longer, have no spin.
 template <int D, class Real> void stop_others(Particles<D, Real>& p, std::span<const Row> rolling) {
     auto next = rolling.begin();
     for (Row row = 0; row < p.size(); ++row)
