@@ -43,7 +43,9 @@ class Command {
 #define SINEW_COMMANDS(X) X(SINEW_ONLY_COMMAND)
 #else
 #define SINEW_COMMANDS(X)                                                                                              \
-    X(play) X(render) X(gallery) X(run) X(record) X(replay) X(diff) X(check) X(info) X(list) X(describe) X(bench)
+    X(play)                                                                                                            \
+    X(render)                                                                                                          \
+    X(export_scene) X(gallery) X(run) X(record) X(replay) X(diff) X(check) X(info) X(list) X(describe) X(bench)
 #endif
 
 namespace command {

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "sinew/math/color.h"
+#include "sinew/session/session.h"
+
+#include "canvas/failure.h"
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sinew::files {
+
+using canvas::Failure;
+
+/// Wishes for a file, whatever its format.
+struct ExportRequest {
+    std::filesystem::path path;         ///< of one file, or with a %d or %04d for the number of the frame
+    double fps = 30;                    ///< frames per second
+    std::vector<std::string> figures{}; ///< names; empty: all
+    std::array<int, 2> size{640, 480};  ///< pixels, of formats that are pictures
+    std::optional<Color> background{};  ///< of pictures; nothing: the scene's
+    std::string follow{};               ///< figure in the middle of pictures; empty: the scene's view
+    std::string caption{};              ///< line of text at the bottom of pictures; empty: none
+    std::optional<double> tolerance{};  ///< pixels by which simplified vectors may be off; nothing: the format's own
+};
+
+/// An export under way. Files appear complete under their final names or not at all; failures are worded for whoever
+/// asked for the file.
+class Exporter {
+  public:
+    Exporter() = default;
+    Exporter(const Exporter&) = delete;
+    Exporter& operator=(const Exporter&) = delete;
+    virtual ~Exporter() = default;
+
+    /// Adds the session's present moment as the next frame.
+    [[nodiscard]] virtual Failure frame(const Session& session) = 0;
+    /// Completes all files, after one frame or more.
+    [[nodiscard]] virtual Failure finish() = 0;
+
+    /// Files written so far.
+    const std::vector<std::filesystem::path>& written() const { return written_; }
+    /// Sentences about what the format could not take.
+    const std::vector<std::string>& notes() const { return notes_; }
+
+  protected:
+    std::vector<std::filesystem::path> written_;
+    std::vector<std::string> notes_;
+};
+
+} // namespace sinew::files
