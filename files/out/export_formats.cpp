@@ -11,7 +11,8 @@ namespace {
 
 using enum FramesPerFile;
 
-constexpr std::array<ExportFormat, 4> list{{
+constexpr std::array<ExportFormat, 5> list{{
+    {"glb", ".glb", all, 30, "glTF 2.0: nodes and meshes that move: Blender, three.js, engines", open_glb},
     {"obj", ".obj", one, 24, "a mesh with lines, and its colours (.mtl)", open_obj},
     {"ply", ".ply", one, 24, "a mesh with lines and points, coloured", open_ply},
     {"pc2", ".pc2", all, 24, "a point cache, and its mesh (.obj): Blender, 3ds Max", open_pc2},

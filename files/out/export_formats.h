@@ -28,6 +28,7 @@ std::span<const ExportFormat> export_formats();
 const ExportFormat* export_format_of(const std::filesystem::path& path, std::string_view name = {});
 
 /// Openers of the formats, each in the file called like the format.
+std::unique_ptr<Exporter> open_glb(const ExportRequest&);
 std::unique_ptr<Exporter> open_obj(const ExportRequest&);
 std::unique_ptr<Exporter> open_ply(const ExportRequest&);
 std::unique_ptr<Exporter> open_pc2(const ExportRequest&);

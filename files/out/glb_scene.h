@@ -1,0 +1,15 @@
+#pragma once
+
+#include "files/out/mesh_film.h"
+
+#include <string>
+#include <vector>
+
+namespace sinew::files {
+
+/// A film as a binary glTF. Figures that move as rigid bodies are nodes with what they are made of below; otherwise
+/// lines are rods, a node for each straight part, balls are nodes, and faces a mesh with a morph target a frame. The
+/// error of rigid nodes is told in `notes`.
+[[nodiscard]] Failure glb_of(const MeshFilm& film, double fps, std::string& bytes, std::vector<std::string>& notes);
+
+} // namespace sinew::files

@@ -1,0 +1,167 @@
+#include "files/out/gltf_document.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace sinew::files {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Numbers of the specification.
+constexpr int vertex_data = 34962, index_data = 34963, float_type = 5126, unsigned_type = 5125;
+constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+
+static_assert(std::endian::native == std::endian::little, "glTF's numbers have the lowest byte first");
+
+const char* type_of(int components) {
+    constexpr std::array names = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+    return names[std::size_t(components)];
+}
+
+/// Linear light of an sRGB channel (IEC 61966-2-1).
+double linear(float channel) {
+    const double c = double(channel);
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+int last_of(Json& list, Json item) {
+    list.push_back(std::move(item));
+    return int(list.size()) - 1;
+}
+
+void put(std::string& bytes, std::uint32_t number) {
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+} // namespace
+
+GltfDocument::GltfDocument() : root_(std::make_unique<Json>()) {
+    auto& root = *root_;
+    root["asset"] = {{"version", "2.0"}, {"generator", "Sinew"}};
+    root["scene"] = 0;
+    root["scenes"] = Json::array({{{"nodes", Json::array()}}});
+    for (const auto* list : {"nodes", "meshes", "materials", "accessors", "bufferViews"}) root[list] = Json::array();
+    root["animations"] = Json::array({{{"name", "motion"}, {"channels", Json::array()}, {"samplers", Json::array()}}});
+}
+
+GltfDocument::~GltfDocument() = default;
+
+int GltfDocument::add_material(const std::string& name, const Color& color) {
+    Json material{{"name", name},
+                  {"doubleSided", true},
+                  {"pbrMetallicRoughness",
+                   {{"baseColorFactor", {linear(color.red), linear(color.green), linear(color.blue), color.alpha}},
+                    {"metallicFactor", 0},
+                    {"roughnessFactor", 0.7}}}};
+    if (color.alpha < 1) material["alphaMode"] = "BLEND";
+    return last_of((*root_)["materials"], std::move(material));
+}
+
+int GltfDocument::add_mesh(const std::string& name, const TriangleMesh& vertices, std::span<const Part> parts,
+                           std::span<const Target> targets) {
+    const Json attributes{{"POSITION", add_vectors(vertices.positions, true)},
+                          {"NORMAL", add_vectors(vertices.normals, false)}};
+    Json moved = Json::array();
+    for (const auto& target : targets)
+        moved.push_back(
+            {{"POSITION", add_vectors(target.positions, true)}, {"NORMAL", add_vectors(target.normals, false)}});
+    Json primitives = Json::array();
+    for (const auto& part : parts) {
+        Json primitive{{"attributes", attributes}, {"indices", add_indices(part.indices)}, {"material", part.material}};
+        if (!moved.empty()) primitive["targets"] = moved;
+        primitives.push_back(std::move(primitive));
+    }
+    return last_of((*root_)["meshes"], {{"name", name}, {"primitives", std::move(primitives)}});
+}
+
+int GltfDocument::add_node(const std::string& name, int parent, int mesh) {
+    Json node{{"name", name}};
+    if (mesh >= 0) node["mesh"] = mesh;
+    auto& nodes = (*root_)["nodes"];
+    const int index = last_of(nodes, std::move(node));
+    auto& above = parent < 0 ? (*root_)["scenes"][0]["nodes"] : nodes[std::size_t(parent)]["children"];
+    above.push_back(index);
+    return index;
+}
+
+void GltfDocument::place(int node, const Vec3<double>& translation, const Vec<4, double>& rotation,
+                         const Vec3<double>& scale) {
+    auto& json = (*root_)["nodes"][std::size_t(node)];
+    json["translation"] = translation.component;
+    json["rotation"] = rotation.component;
+    json["scale"] = scale.component;
+}
+
+void GltfDocument::set_times(std::span<const float> seconds) {
+    times_ = add_accessor(seconds, 1, 0, true);
+}
+
+void GltfDocument::animate(int node, const std::string& path, std::span<const float> numbers) {
+    const int components = path == "weights" ? 1 : path == "rotation" ? 4 : 3;
+    auto& animation = (*root_)["animations"][0];
+    const int output = add_accessor(numbers, components, 0, false);
+    const int sampler = last_of(animation["samplers"], {{"input", times_}, {"output", output}});
+    animation["channels"].push_back({{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}});
+}
+
+int GltfDocument::add_view(std::span<const std::byte> bytes, int target) {
+    Json view{{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes.size()}};
+    if (target != 0) view["target"] = target;
+    binary_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return last_of((*root_)["bufferViews"], std::move(view));
+}
+
+int GltfDocument::add_accessor(std::span<const float> numbers, int components, int target, bool bounds) {
+    Json accessor{{"bufferView", add_view(std::as_bytes(numbers), target)},
+                  {"componentType", float_type},
+                  {"count", numbers.size() / std::size_t(components)},
+                  {"type", type_of(components)}};
+    if (bounds)
+        for (int c = 0; c < components; ++c) {
+            float low = numbers[std::size_t(c)], high = low;
+            for (auto i = std::size_t(c); i < numbers.size(); i += std::size_t(components))
+                low = std::min(low, numbers[i]), high = std::max(high, numbers[i]);
+            accessor["min"].push_back(low), accessor["max"].push_back(high);
+        }
+    return last_of((*root_)["accessors"], std::move(accessor));
+}
+
+int GltfDocument::add_vectors(std::span<const Vec3<float>> vectors, bool bounds) {
+    std::vector<float> numbers;
+    for (const auto& v : vectors) numbers.insert(numbers.end(), v.component.begin(), v.component.end());
+    return add_accessor(numbers, 3, vertex_data, bounds);
+}
+
+int GltfDocument::add_indices(std::span<const std::uint32_t> indices) {
+    const Json accessor{{"bufferView", add_view(std::as_bytes(indices), index_data)},
+                        {"componentType", unsigned_type},
+                        {"count", indices.size()},
+                        {"type", "SCALAR"}};
+    return last_of((*root_)["accessors"], accessor);
+}
+
+std::string GltfDocument::glb() {
+    auto& root = *root_;
+    for (const auto* list : {"nodes", "meshes", "materials", "accessors", "bufferViews"})
+        if (root[list].empty()) root.erase(list); // empty lists are not allowed
+    if (root["animations"][0]["channels"].empty()) root.erase("animations");
+    root["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
+    auto text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    std::string file;
+    file.reserve(28 + text.size() + binary_.size());
+    for (const std::uint32_t number :
+         {glb_magic, 2u, std::uint32_t(28 + text.size() + binary_.size()), std::uint32_t(text.size()), json_chunk})
+        put(file, number);
+    file += text;
+    put(file, std::uint32_t(binary_.size()));
+    put(file, binary_chunk);
+    return file + binary_;
+}
+
+} // namespace sinew::files

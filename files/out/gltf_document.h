@@ -1,0 +1,69 @@
+#pragma once
+
+#include "sinew/math/color.h"
+#include "sinew/math/vec.h"
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sinew::files {
+
+/// Corners of triangles with a position and a normal each.
+struct TriangleMesh {
+    std::vector<Vec3<float>> positions, normals;
+    std::vector<std::uint32_t> indices;
+};
+
+/// A glTF 2.0 document with one scene, one animation and one buffer, as a .glb file. Functions return the index of what
+/// they add.
+class GltfDocument {
+  public:
+    GltfDocument();
+    GltfDocument(const GltfDocument&) = delete;
+    GltfDocument& operator=(const GltfDocument&) = delete;
+    ~GltfDocument();
+
+    int add_material(const std::string& name, const Color& color);
+
+    /// A part of a mesh in one material: indices into the mesh's vertices.
+    struct Part {
+        int material = 0;
+        std::vector<std::uint32_t> indices;
+    };
+    /// Displacements of a mesh's vertices and normals.
+    struct Target {
+        std::vector<Vec3<float>> positions, normals;
+    };
+    int add_mesh(const std::string& name, const TriangleMesh& vertices, std::span<const Part> parts,
+                 std::span<const Target> targets = {});
+
+    /// A node below another; -1: at the root. Mesh -1: none.
+    int add_node(const std::string& name, int parent, int mesh = -1);
+    void place(int node, const Vec3<double>& translation, const Vec<4, double>& rotation, const Vec3<double>& scale);
+
+    /// Moments of all animated values, seconds.
+    void set_times(std::span<const float> seconds);
+    /// Animates "translation", "rotation", "scale" or "weights" of a node: as many numbers for each moment as the path
+    /// has.
+    void animate(int node, const std::string& path, std::span<const float> numbers);
+
+    std::size_t bytes() const { return binary_.size(); }
+    /// The finished file.
+    std::string glb();
+
+  private:
+    int add_accessor(std::span<const float> numbers, int components, int target, bool bounds);
+    int add_indices(std::span<const std::uint32_t> indices);
+    int add_view(std::span<const std::byte> bytes, int target);
+    int add_vectors(std::span<const Vec3<float>> vectors, bool bounds);
+
+    std::unique_ptr<nlohmann::json> root_;
+    std::string binary_;
+    int times_ = -1; ///< accessor
+};
+
+} // namespace sinew::files

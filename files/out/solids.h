@@ -1,0 +1,16 @@
+#pragma once
+
+#include "files/out/gltf_document.h"
+
+/// Meshes of lines and balls. Radii and lengths in metres.
+namespace sinew::files {
+
+/// A rod along +y from the origin with round ends, `begin` and `end` its radii there.
+TriangleMesh rod(double length, double begin, double end);
+/// A long ring along +y around the origin and (0, length, 0), in the plane of x and y. `width`: outer width.
+TriangleMesh long_ring(double length, double width);
+TriangleMesh sphere(double radius);
+/// A disc in the plane of x and y, of some height.
+TriangleMesh disc(double radius, double half_height);
+
+} // namespace sinew::files
