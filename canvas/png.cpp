@@ -95,6 +95,11 @@ ReadImage read_png(const std::filesystem::path& path, const std::string& name, c
     if (const auto reason = read_file(path, std::size_t(limits.bytes), bytes); !reason.empty())
         return problem(fmt::format("cannot read the image {}: {}", in_quotes(name), reason),
                        fmt::format("looked for {}", path.string()));
+    return read_png(std::as_bytes(std::span(bytes)), name, limits);
+}
+
+ReadImage read_png(std::span<const std::byte> content, const std::string& name, const Limits& limits) {
+    const std::span bytes(reinterpret_cast<const unsigned char*>(content.data()), content.size());
     const Header header(bytes);
     if (!header.is_png) return problem(fmt::format("{} is not a PNG file", in_quotes(name)), "images are PNG files");
     constexpr std::uint32_t longest_side = 16384;

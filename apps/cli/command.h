@@ -45,7 +45,8 @@ class Command {
 #define SINEW_COMMANDS(X)                                                                                              \
     X(play)                                                                                                            \
     X(render)                                                                                                          \
-    X(export_scene) X(gallery) X(run) X(record) X(replay) X(diff) X(check) X(info) X(list) X(describe) X(bench)
+    X(export_scene)                                                                                                    \
+    X(import_scene) X(gallery) X(run) X(record) X(replay) X(diff) X(check) X(info) X(list) X(describe) X(bench)
 #endif
 
 namespace command {

@@ -1,0 +1,54 @@
+#include "files/in/formats.h"
+
+#include "sinew/scene/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace sinew::files {
+namespace {
+
+const std::array all = {
+    &reader::svg, &reader::png, &reader::obj, &reader::glb, &reader::gltf, &reader::tiled, &reader::points_and_sticks};
+
+std::string small(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
+
+bool has_ending(const ImportFormat& format, std::string_view name) {
+    const auto endings = concat(" ", format.endings, " ");
+    const auto dot = name.rfind('.');
+    return dot != name.npos && endings.find(concat(" ", small(std::string(name.substr(dot + 1))), " ")) != endings.npos;
+}
+
+std::string all_endings() {
+    std::string text;
+    for (const auto* format : all) text += concat(text.empty() ? "" : ", ", format->name, " (", format->endings, ")");
+    return text;
+}
+
+const ImportFormat& format_of(const ImportFile& file) {
+    for (const auto* format : all)
+        if (format->sniff(file.bytes)) return *format;
+    for (const auto* format : all)
+        if (has_ending(*format, file.name)) return *format;
+    throw ImportError{"", "neither its content nor its ending is of a format that can be imported",
+                      concat("formats: ", all_endings())};
+}
+
+} // namespace
+
+std::span<const ImportFormat* const> import_formats() {
+    return all;
+}
+
+Imported import_file(const ImportFile& file, const ImportOptions& options) {
+    if (file.bytes.empty()) throw ImportError{"", "the file is empty"};
+    if (file.bytes.size() > ImportLimits::bytes)
+        throw ImportError{"", concat("it has more than ", ImportLimits::bytes, " bytes, the most that is imported")};
+    return format_of(file).read(file, options);
+}
+
+} // namespace sinew::files

@@ -1,0 +1,105 @@
+#include "canvas/png.h"
+
+#include "files/in/contours.h"
+#include "files/in/drawing.h"
+#include "files/in/formats.h"
+#include "files/in/png_pieces.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+
+namespace sinew::files {
+namespace {
+
+/// Largest side of a picture in a scene, pixels: 3 m.
+constexpr double usual_side = 300;
+constexpr std::string_view png_signature("\x89PNG\r\n\x1a\n", 8);
+
+class PngReader {
+  public:
+    PngReader(const ImportFile& file, const ImportOptions& options) : file_(file), options_(options) {
+        const auto bytes = std::as_bytes(std::span(file.bytes));
+        auto read = canvas::read_png(bytes, file.name, {});
+        if (!read.image) throw ImportError{"", read.problem, read.help};
+        image_ = read.image;
+        const double side = std::max(image_->width, image_->height);
+        scale_ = options.scale.value_or(std::min(1.0, usual_side / side));
+        role_ = role_called(options.role).value_or(Role::jelly);
+    }
+
+    Imported read() {
+        const Vec2<double> size{{double(image_->width), double(image_->height)}};
+        constexpr double usual_error = 1; // pixels of the scene
+        Drawing drawing(size * scale_, options_.error.value_or(usual_error));
+        if (std::ranges::all_of(image_->pixels, [](auto pixel) { return pixel >> 24U == 255; }))
+            drawing.notes().add("", "the picture has no transparency: its outline is its border");
+        constexpr double least_share = 1e-3; // of the largest part
+        const auto parts = parts_of(*image_);
+        std::size_t small = 0;
+        for (const auto& part : parts)
+            if (double(part.pixels) >= least_share * double(parts[0].pixels) && part.pixels > 8)
+                add(drawing, part);
+            else
+                ++small;
+        if (small > 0)
+            drawing.notes().add("",
+                                concat(small, " specks of less than a thousandth of the largest part are left out"));
+        auto imported = drawing.finish(concat("Imported from ", file_.name));
+        imported.beside = std::move(beside_);
+        return imported;
+    }
+
+  private:
+    const ImportFile& file_;
+    const ImportOptions& options_;
+    std::shared_ptr<const Image> image_;
+    double scale_ = 1;
+    Role role_ = Role::jelly;
+    std::vector<SideFile> beside_;
+
+    static PixelField alpha_field(const Image& image) {
+        return {image.width, image.height, [&image](int x, int y) {
+                    return double(image.pixels[std::size_t(y) * std::size_t(image.width) + std::size_t(x)] >> 24U);
+                }};
+    }
+
+    std::string write(const Image& image) {
+        auto name = fmt::format("{}_images/{}.png", file_.title, beside_.size());
+        beside_.push_back({name, png_bytes(image)});
+        return name;
+    }
+
+    void add(Drawing& drawing, const ImagePart& part) {
+        const Vec2<double> corner{{double(part.left), double(part.top)}};
+        DrawnShape shape;
+        shape.place = fmt::format("the part at {},{}", part.left, part.top);
+        shape.name = file_.title;
+        shape.role = role_;
+        constexpr double level = 127.5; // half opaque
+        for (auto& outline : contours(alpha_field(part.image), level)) {
+            for (auto& p : outline) p = (p + corner) * scale_;
+            shape.lines.push_back({std::move(outline), true});
+        }
+        if (role_ == Role::collider) return drawing.add(shape);
+        shape.fill = role_ == Role::solid ? "none" : mean_color(part.image);
+        Worn worn;
+        worn.at = corner * scale_;
+        worn.size = Vec2<double>{{double(part.image.width), double(part.image.height)}} * scale_;
+        if (role_ == Role::solid) worn.file = write(part.image);
+        worn.tile = [&](std::array<Vec2<double>, 4> corners) {
+            for (auto& p : corners) p = p * (1 / scale_) - corner;
+            return write(cut_out(part.image, corners));
+        };
+        drawing.add(shape, &worn);
+    }
+};
+
+} // namespace
+
+const ImportFormat reader::png{
+    "PNG", "png", "a picture with transparency: its outline as jelly, crate or collider",
+    [](std::string_view bytes) { return bytes.starts_with(png_signature); },
+    [](const ImportFile& file, const ImportOptions& options) { return PngReader(file, options).read(); }};
+
+} // namespace sinew::files

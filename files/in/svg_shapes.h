@@ -1,0 +1,16 @@
+#pragma once
+
+#include "files/in/drawing.h"
+
+#include <pugixml.hpp>
+
+namespace sinew::files {
+
+/// Lines of a basic shape or a path of SVG (SVG 2, chapters 9 and 10), in its own coordinates. `page`: what percentages
+/// are of. Empty for other elements; throws ImportError, without a place, where an attribute cannot be read.
+std::optional<std::vector<DrawnLine>> svg_lines(pugi::xml_node element, const Vec2<double>& page);
+
+/// Value of an attribute that is a length, in pixels; throws ImportError, without a place.
+double svg_length(pugi::xml_node element, const char* name, double whole, double usual = 0);
+
+} // namespace sinew::files
