@@ -1,3 +1,4 @@
+#include "sinew/math/color.h"
 #include "sinew/scene/diagnostic.h"
 #include "sinew/scene/text.h"
 #include "sinew/world/edit.h"
@@ -72,7 +73,10 @@ class ExportCommand final : public Command {
             .details = details,
             .examples = "sinew export curtain -o curtain.pc2 --seconds 4 --fps 24\n"
                         "sinew export curtain -o frames/curtain-%04d.obj --of curtain\n"
-                        "sinew export cube -o cube.ply --at 2\n",
+                        "sinew export rope -o rope.glb\n"
+                        "sinew export ragdoll -o ragdoll.json --seconds 3 --error 0.5\n"
+                        "sinew export ragdoll -o ragdoll.svg --seconds 3 view.plain=true\n"
+                        "sinew export ragdoll -o frames/%04d.png --background none --follow bob --scale 2\n",
         };
     }
 
@@ -83,7 +87,14 @@ class ExportCommand final : public Command {
         declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long; else what the scene says");
         declare_number(parser, "--fps", fps, {1e-3, 1000}, "F", "frames a second; else what is usual for the format");
         declare_number(parser, "--at", at, possible_seconds, "T", "the second of the first frame, or of the only one");
-        declare_text(parser, "--of", figures, "A,B", "figures by name; else all");
+        declare_text(parser, "--of", figures, "A,B", "of a model: figures by name; else all");
+        declare_text(parser, "--until", until, "EVENT", "ends at the first event of this kind: torn, cut, hit ...");
+        declare_pair(parser, "--size", size, "WxH", "pixels of a picture; else what the scene says");
+        declare_number(parser, "--scale", scale, {0.01, 100}, "X", "of a picture: so many times the size");
+        declare_text(parser, "--background", background, "COLOR", "of a picture; none: transparent");
+        declare_text(parser, "--follow", follow, "FIGURE", "of a picture: keeps the figure in its middle");
+        declare_text(parser, "--caption", caption, "TEXT", "of a picture: a line at the bottom");
+        declare_number(parser, "--error", tolerance, {0, 100}, "PX", "by which moving vectors may be off; else 0.25");
     }
 
     int run() override {
@@ -116,8 +127,28 @@ class ExportCommand final : public Command {
         files::ExportRequest request{.path = path, .fps = fps.value_or(format.usual_fps)};
         request.figures = words_of(figures);
         for (const auto& figure : request.figures) check_figure(figure, session.world());
-        request.size = session.scene().view.size;
+        if (!follow.empty()) check_figure(follow, session.world());
+        request.size = picture_size(session.scene());
+        request.background = background_color();
+        request.follow = follow, request.caption = caption, request.tolerance = tolerance;
         return request;
+    }
+
+    std::array<int, 2> picture_size(const Scene& scene) const {
+        auto [width, height] = size.value_or(scene.view.size);
+        const double factor = scale.value_or(1);
+        const std::array scaled = {int(std::round(width * factor)), int(std::round(height * factor))};
+        constexpr int longest = 16384; // pixels, as for the PNGs of `render`
+        settle(canvas::size_problem("an exported picture", scaled[0], scaled[1], longest));
+        return scaled;
+    }
+
+    std::optional<Color> background_color() const {
+        if (background.empty()) return std::nullopt;
+        const auto color = parse_color(background);
+        if (!color)
+            usage_error(fmt::format("{} is not a colour", in_quotes(background)), "such as none, white or #fa0");
+        return color;
     }
 
     /// Steps the scene and hands its frames over: one at the end of the time, or all.
@@ -132,7 +163,16 @@ class ExportCommand final : public Command {
         for (std::size_t frame = 0; frame < count; ++frame) {
             run.advance(steps_before(scene, first + double(frame) / rate), progress);
             settle(exporter.frame(run.session));
+            if (!until.empty() && has_happened(run.session)) {
+                count = frame + 1, end = first + double(count) / rate;
+                return;
+            }
         }
+        if (!until.empty()) refuse("sinew", fmt::format("no event {} happens until {:.4g} s", in_quotes(until), end));
+    }
+
+    bool has_happened(const Session& session) const {
+        return std::ranges::find(session.happenings(), until, &SessionEvent::what) != session.happenings().end();
     }
 
     std::string report(const files::Exporter& exporter) const {
@@ -155,8 +195,9 @@ class ExportCommand final : public Command {
         "Models are in metres with y upwards, whatever the scene's units are.\n"
         "A file appears under its name when it is complete, or not at all.\n";
     SceneWords words;
-    std::string path, format_name, figures;
-    std::optional<double> seconds, fps, at;
+    std::string path, format_name, figures, until, background, follow, caption;
+    std::optional<double> seconds, fps, at, scale, tolerance;
+    std::optional<std::array<int, 2>> size;
     std::size_t count = 0; ///< frames written
     double begin = 0, end = 0;
 };

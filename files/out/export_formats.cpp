@@ -11,12 +11,19 @@ namespace {
 
 using enum FramesPerFile;
 
-constexpr std::array<ExportFormat, 5> list{{
+constexpr std::array<ExportFormat, 12> list{{
     {"glb", ".glb", all, 30, "glTF 2.0: nodes and meshes that move: Blender, three.js, engines", open_glb},
-    {"obj", ".obj", one, 24, "a mesh with lines, and its colours (.mtl)", open_obj},
-    {"ply", ".ply", one, 24, "a mesh with lines and points, coloured", open_ply},
     {"pc2", ".pc2", all, 24, "a point cache, and its mesh (.obj): Blender, 3ds Max", open_pc2},
     {"mdd", ".mdd", all, 24, "a point cache, and its mesh (.obj): Blender, Maya, Houdini", open_mdd},
+    {"obj", ".obj", one, 24, "a mesh with lines, and its colours (.mtl)", open_obj},
+    {"ply", ".ply", one, 24, "a mesh with lines and points, coloured", open_ply},
+    {"svg", ".svg", all, 30, "vectors that move (SMIL), in a loop: browsers", open_animated_svg},
+    {"svg", ".svg", one, 30, "vectors", open_pictures},
+    {"lottie", ".json", all, 30, "Lottie: vectors that move: web pages, apps", open_lottie},
+    {"png", ".png", one, 30, "a picture; --background none: transparent", open_pictures},
+    {"apng", ".apng", all, 30, "a looping film that may be transparent", open_alpha_film},
+    {"webm", ".webm", all, 30, "a film that may be transparent (VP9): browsers", open_alpha_film},
+    {"mov", ".mov", all, 30, "a film that may be transparent (ProRes 4444): editors", open_alpha_film},
 }};
 
 } // namespace

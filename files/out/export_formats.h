@@ -20,18 +20,22 @@ struct ExportFormat {
     std::unique_ptr<Exporter> (*open)(const ExportRequest&);
 };
 
-/// THE list of formats for export. A new one takes a file and a line here.
+/// THE list of formats for export. A new one takes a file with its opener, declared below, and a line in the list.
 std::span<const ExportFormat> export_formats();
 
 /// The format of a path: by name where one is given, otherwise by the path's ending. With the number of a frame in the
 /// name (%04d) a format of one frame per file goes first, otherwise one that holds all frames. Null if there is none.
 const ExportFormat* export_format_of(const std::filesystem::path& path, std::string_view name = {});
 
-/// Openers of the formats, each in the file called like the format.
+/// Openers of the formats.
+std::unique_ptr<Exporter> open_alpha_film(const ExportRequest&);
+std::unique_ptr<Exporter> open_animated_svg(const ExportRequest&);
 std::unique_ptr<Exporter> open_glb(const ExportRequest&);
 std::unique_ptr<Exporter> open_obj(const ExportRequest&);
 std::unique_ptr<Exporter> open_ply(const ExportRequest&);
 std::unique_ptr<Exporter> open_pc2(const ExportRequest&);
 std::unique_ptr<Exporter> open_mdd(const ExportRequest&);
+std::unique_ptr<Exporter> open_lottie(const ExportRequest&);
+std::unique_ptr<Exporter> open_pictures(const ExportRequest&);
 
 } // namespace sinew::files

@@ -18,7 +18,7 @@ std::vector<Color> vertex_colors(const SceneMesh& mesh) {
     return colors;
 }
 
-std::byte channel(float share) {
+std::byte byte_of(float share) {
     return std::byte(int(share * 255 + 0.5F));
 }
 
@@ -38,7 +38,7 @@ class PlyText {
         for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
             for (int axis = 0; axis < 3; ++axis) file.put_little(float(mesh_.vertices[i][axis]));
             const auto& c = colors[i];
-            const std::array bytes = {channel(c.red), channel(c.green), channel(c.blue), channel(c.alpha)};
+            const std::array bytes = {byte_of(c.red), byte_of(c.green), byte_of(c.blue), byte_of(c.alpha)};
             file.put_bytes(bytes);
         }
         for (const auto& element : mesh_.elements)
