@@ -7,9 +7,9 @@ namespace sinew::files {
 namespace {
 
 /// Mean position of a figure's particles; nothing if it is gone.
-std::optional<Point> middle_of(const Session& session, const std::string& name) {
+std::optional<sinew::Point> middle_of(const Session& session, const std::string& name) {
     return std::visit(
-        [&](const auto& world) -> std::optional<Point> {
+        [&](const auto& world) -> std::optional<sinew::Point> {
             const auto figure = find_figure(world, name);
             if (!figure) return std::nullopt;
             Vec3<double> sum{};
@@ -21,7 +21,7 @@ std::optional<Point> middle_of(const Session& session, const std::string& name) 
                     ++count;
                 }
             if (count == 0) return std::nullopt;
-            Point middle{};
+            sinew::Point middle{};
             for (int i = 0; i < 3; ++i) middle[i] = sum[i] / count;
             return middle;
         },
@@ -29,7 +29,7 @@ std::optional<Point> middle_of(const Session& session, const std::string& name) 
 }
 
 /// The scene's view, moved so that the figure is in its middle.
-View following(const Session& session, const Point& middle, int width, int height) {
+View following(const Session& session, const sinew::Point& middle, int width, int height) {
     const auto& scene = session.scene();
     auto section = scene.view;
     if (scene.dimension == 2) {
