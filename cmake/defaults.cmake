@@ -40,7 +40,7 @@ endfunction()
 # sinew_app(TARGET): a target around the library, which takes the time. All have the same options, and so can have one
 # precompiled header.
 function(sinew_app target)
-    target_link_libraries(${target} PRIVATE fmt::fmt) # its definition is part of the precompiled header
+    target_link_libraries(${target} PRIVATE $<TARGET_NAME_IF_EXISTS:fmt::fmt>) # its definition is part of the precompiled header
     target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Debug>,-O0,-Og>)
     sinew_warnings(${target})
 endfunction()

@@ -1,19 +1,28 @@
-# cmake --install build --prefix P  ->  P/bin/sinew, headers, library, find_package(sinew), pkg-config, scenes
+# cmake --install build --prefix P  ->  P/bin/sinew, headers, libraries, find_package(sinew), pkg-config, scenes
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sinew)
+set(for_developers ARCHIVE COMPONENT dev FILE_SET HEADERS COMPONENT dev)
 
-install(TARGETS sinew EXPORT sinewTargets FILE_SET HEADERS)
-install(EXPORT sinewTargets NAMESPACE sinew:: DESTINATION ${package_dir})
-if(TARGET sinew_cli)
-    install(TARGETS sinew_cli)
+install(TARGETS sinew sinew_c EXPORT sinewTargets ${for_developers})
+if(TARGET sinew_shared)
+    install(TARGETS sinew_shared EXPORT sinewTargets LIBRARY COMPONENT lib NAMELINK_COMPONENT dev)
 endif()
-install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/sinew/scenes OPTIONAL)
+install(FILES bindings/c/sinew.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+install(EXPORT sinewTargets NAMESPACE sinew:: DESTINATION ${package_dir} COMPONENT dev)
+if(TARGET sinew_cli)
+    install(TARGETS sinew_cli COMPONENT command)
+    install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/sinew/scenes COMPONENT command)
+endif()
 
 configure_package_config_file(cmake/sinewConfig.cmake.in sinewConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(sinewConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/sinewConfig.cmake ${PROJECT_BINARY_DIR}/sinewConfigVersion.cmake
-        DESTINATION ${package_dir})
+    DESTINATION ${package_dir} COMPONENT dev)
 
 file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
-configure_file(cmake/sinew.pc.in sinew.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/sinew.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+foreach(name IN ITEMS sinew sinew-c)
+    configure_file(cmake/${name}.pc.in ${name}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+endforeach()
+
+include(cmake/package.cmake)

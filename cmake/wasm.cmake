@@ -13,8 +13,8 @@ foreach(folder IN ITEMS sinew player bindings/c bindings/wasm)
     sinew_sources(${folder})
     list(APPEND all ${sources})
 endforeach()
-list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp) # put_beside: a picture of pictures
-list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp") # bindings/wasm/no_files.cpp
+list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp ${PROJECT_SOURCE_DIR}/bindings/no_files.cpp)
+list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp|/bindings/c/native/")
 list(FILTER all EXCLUDE REGEX "/targets/(avx[0-9]+|one)[.]cpp") # every engine has SIMD
 set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE SINEW_NO_AVX2 SINEW_NO_AVX512)
 # The files where the time goes are compiled for speed, and all else for size. Blocks weigh 5 % of the module more, and

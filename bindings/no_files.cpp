@@ -1,4 +1,4 @@
-// The files of the player (player/files.h) and of pictures (canvas/) on a page, which has none.
+// Files of the player (player/files.h) and of pictures (canvas/) where there are none: on a page, and in the C face.
 #include "canvas/formats.h"
 #include "player/files.h"
 

@@ -1,0 +1,73 @@
+# The command, and what it is made of beside the painters: the player, its window, and the benchmarks.
+
+# --- other programs' files, in and out --------------------------------------------------------------------------
+sinew_sources(files)
+add_library(sinew_files STATIC ${sources} ${headers})
+target_link_libraries(sinew_files PUBLIC canvas sinew PRIVATE fmt::fmt nlohmann_json::nlohmann_json
+    PkgConfig::pugixml ZLIB::ZLIB)
+sinew_app(sinew_files)
+target_precompile_headers(sinew_files REUSE_FROM canvas)
+
+# --- interactive player, independent of the window ----------------------------------------------------------------
+add_library(play STATIC $<TARGET_OBJECTS:sinew_player> ${player_files})
+target_link_libraries(play PUBLIC canvas sinew PRIVATE fmt::fmt)
+sinew_app(play)
+target_precompile_headers(play REUSE_FROM canvas)
+
+if(SINEW_PYTHON)
+    include(cmake/python.cmake)
+endif()
+
+# --- window -------------------------------------------------------------------------------------------------------
+sinew_watch_packages(sdl2 imgui epoxy)
+if(SINEW_WINDOW STREQUAL "AUTO")
+    pkg_check_modules(window_needs QUIET IMPORTED_TARGET sdl2 imgui epoxy)
+elseif(SINEW_WINDOW)
+    pkg_check_modules(window_needs REQUIRED IMPORTED_TARGET sdl2 imgui epoxy)
+endif()
+if(SINEW_WINDOW AND window_needs_FOUND)
+    sinew_sources(apps/window)
+    add_library(window STATIC ${sources} ${headers})
+    target_link_libraries(window PUBLIC play PRIVATE PkgConfig::window_needs Threads::Threads)
+    target_compile_definitions(window INTERFACE SINEW_WINDOW)
+    sinew_app(window)
+    sinew_precompile(window "sinew/session/session.h") # SDL defines a word: a precompiled header of its own
+endif()
+
+# --- benchmark cases and contenders --------------------------------------------------------------------------------
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/*.cpp ${PROJECT_SOURCE_DIR}/bench/families/*.cpp)
+add_library(bench STATIC ${sources})
+target_link_libraries(bench PUBLIC sinew PRIVATE fmt::fmt)
+sinew_app(bench)
+target_precompile_headers(bench REUSE_FROM canvas)
+# Only the textbook runs inside the timed sections.
+set_source_files_properties(bench/textbook.cpp PROPERTIES COMPILE_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O3>
+    SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+# Families define constants and functions of the same names.
+list(FILTER sources INCLUDE REGEX "/families/")
+set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+if(SINEW_PEERS)
+    include(cmake/peers.cmake)
+else()
+    target_sources(bench PRIVATE bench/peers/none.cpp)
+endif()
+
+# --- command line ------------------------------------------------------------------------------------------------
+sinew_sources(apps/cli)
+if(SINEW_ONLY_RENDER)
+    list(FILTER sources INCLUDE REGEX "/(main|arguments|catalogue|console|help|pointer_file|render|scene_file|scrap|shooting|stage|stepping|watched_files)[.]cpp")
+    list(APPEND sources ${PROJECT_SOURCE_DIR}/player/action.cpp) # what a pointer does
+endif()
+add_executable(sinew_cli ${sources} ${headers})
+target_link_libraries(sinew_cli PRIVATE canvas sinew fmt::fmt CLI11::CLI11)
+if(SINEW_ONLY_RENDER)
+    target_compile_definitions(sinew_cli PRIVATE SINEW_ONLY_COMMAND=render)
+else()
+    target_link_libraries(sinew_cli PRIVATE $<TARGET_NAME_IF_EXISTS:window> play bench sinew_files)
+endif()
+sinew_app(sinew_cli)
+target_precompile_headers(sinew_cli REUSE_FROM canvas)
+set_source_files_properties(apps/cli/catalogue.cpp PROPERTIES
+    COMPILE_DEFINITIONS SINEW_SCENES_DIR="${PROJECT_SOURCE_DIR}/scenes")
+set_source_files_properties(apps/cli/bench_weights.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # shared names
+set_target_properties(sinew_cli PROPERTIES OUTPUT_NAME sinew RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
