@@ -43,7 +43,13 @@ std::size_t characters_in(std::string_view text) {
 
 sinew_status fail(sinew_status status, std::string message) {
     last().message = std::move(message);
+    if (const auto& log = failure_log(); log.tell) log.tell(log.context, status, last().message.c_str());
     return status;
+}
+
+Log& failure_log() {
+    static Log log;
+    return log;
 }
 
 sinew_status bad_handle() {

@@ -9,7 +9,14 @@
 /// Failures of the C face: the message and the diagnostics of the thread's last one.
 namespace sinew::c {
 
-/// Keeps the message and returns the status.
+/// Receives the message of every failure; null: nobody.
+struct Log {
+    void (*tell)(void* context, sinew_status status, const char* message) = nullptr;
+    void* context = nullptr;
+};
+Log& failure_log();
+
+/// Keeps the message, tells the log and returns the status.
 sinew_status fail(sinew_status status, std::string message);
 
 sinew_status bad_handle();

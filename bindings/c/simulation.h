@@ -8,6 +8,7 @@
 #include "player/play.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct Drawn {
     void hand_out(sinew_picture& out);
 };
 
+struct UserData; // native/user_data.cpp
+
 /// A simulation: a session of its own, or one of a player's panes.
 struct Simulation {
     std::optional<Session> own;
@@ -34,6 +37,7 @@ struct Simulation {
     std::vector<std::uint32_t> rows{};     ///< last column of rows handed out
     std::vector<double> numbers{};         ///< last column of computed numbers handed out
     std::vector<sinew_contact> contacts{}; ///< as last counted
+    std::shared_ptr<UserData> user_data{}; ///< none before the first
 
     /// Null if the player has no such pane.
     const Session* session() const;

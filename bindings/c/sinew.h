@@ -1,5 +1,6 @@
 /* The C face of Sinew, in C11: everything that a scene file can say, edits, grabs, cuts, events, queries, the state
- * hash and the picture as a display list. The WebAssembly module of web/sinew exports exactly these functions.
+ * hash and the picture as a display list. The WebAssembly module of web/sinew exports every function but those marked
+ * SINEW_PROGRAM_API, which are for programs: worlds built by calls, user data, debug drawing, hooks.
  *
  * Two objects, named by handles:
  *   sinew_simulation  a running scene without a pointer: open, step, read columns, edit, draw.
@@ -31,6 +32,9 @@
 #else
 #define SINEW_API __attribute__((visibility("default")))
 #endif
+
+/* Functions of programs, left out of the WebAssembly module. */
+#define SINEW_PROGRAM_API SINEW_API
 
 #ifdef __cplusplus
 extern "C" {
@@ -565,6 +569,151 @@ SINEW_API sinew_status sinew_player_get_state(sinew_player player, sinew_player_
 /* Takes the next event off the queue as a JSON object: {"what": "grab", "particle": "bob/head"}. SINEW_NOT_FOUND when
  * there is none. The queue keeps the last 1000. */
 SINEW_API sinew_status sinew_player_next_event(sinew_player player, const char** json);
+
+/* --- worlds built by calls --------------------------------------------------------------------------------------- */
+
+/* A struct that begins with `struct_size` grows at its end in later versions. The caller writes sizeof(the struct)
+ * there, and 0 into every field that is to have its default:
+ *     sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -9.81, 0}};
+ * SINEW_BAD_ARGUMENT for a size of no version. */
+
+typedef struct sinew_world_spec {
+    uint32_t struct_size;
+    uint32_t dimension;  /* 2 or 3; 0: 2 */
+    uint32_t real_bytes; /* 4: float, 8: double; 0: 8 */
+    uint32_t substeps;   /* of a step; 0: the default of scenes */
+    double rate;         /* steps per second; 0: 60 */
+    sinew_point gravity; /* metres per second squared; y is up */
+    double damping;      /* share of the velocity lost, 1 / s */
+} sinew_world_spec;
+/* Opens an empty world in metres, kilograms and seconds. Particles, constraints and pins: sinew_add_particle() and so
+ * on. sinew_restart() returns to the empty world; sinew_save() keeps all of it, sinew_scene_text() only the settings.
+ */
+SINEW_PROGRAM_API sinew_status sinew_create(const sinew_world_spec* spec, sinew_simulation* simulation);
+SINEW_PROGRAM_API sinew_status sinew_set_gravity(sinew_simulation simulation, sinew_point gravity);
+
+/* Numbers of the kinds of constraints; an angle and a distance have the same in 2D and 3D. */
+typedef enum sinew_kind SINEW_INT {
+    SINEW_DISTANCE = 0, /* of two particles: rod, rope, strut, spring */
+    SINEW_ANGLE = 1,    /* at the second of three particles */
+    SINEW_AREA_2D = 2,  /* of a polygon */
+    SINEW_PULLEY_2D = 3,
+    SINEW_RAIL_2D = 4,
+    SINEW_VOLUME_3D = 2,
+    SINEW_DIHEDRAL_3D = 3, /* between two triangles */
+    SINEW_PULLEY_3D = 4
+} sinew_kind;
+
+/* A value of a figure by its name in a scene: {"segments", 20, NULL}, {"contact.figures", 0, "true"}. */
+typedef struct sinew_parameter {
+    const char* name;
+    double number;    /* counts if `word` is null */
+    const char* word; /* JSON: "true", "[1, 2]", or a bare word */
+} sinew_parameter;
+typedef struct sinew_figure_spec {
+    uint32_t struct_size;
+    uint32_t parameter_count;
+    const sinew_parameter* parameters; /* of the prefab, as sinew_describe("prefabs") lists them, and of any figure:
+                                          "contact.figures", "contact.layers", "internal_damping" */
+    const char* prefab;                /* "rope" */
+    const char* name;                  /* null: that of the prefab, with a number if it is taken */
+    sinew_point position;
+    sinew_point velocity;
+    double turn; /* radians, counter-clockwise; in 3D about z */
+} sinew_figure_spec;
+/* Builds a prefab into the world. `figure` (may be null) is the index for sinew_figure_at(). SINEW_BAD_SCENE, with
+ * diagnostics, for an unknown prefab or a parameter out of its range. */
+SINEW_PROGRAM_API sinew_status sinew_add_figure(sinew_simulation simulation, const sinew_figure_spec* spec,
+                                                uint32_t* figure);
+/* Removes a figure with its particles. */
+SINEW_PROGRAM_API sinew_status sinew_remove_figure(sinew_simulation simulation, uint32_t figure);
+/* Index of a figure by name. */
+SINEW_PROGRAM_API sinew_status sinew_find_figure(sinew_simulation simulation, const char* name, uint32_t* figure);
+
+typedef enum sinew_collider_shape SINEW_INT {
+    SINEW_HALF_SPACE = 0, /* solid below its own x axis (in 3D its xz plane) */
+    SINEW_SPHERE = 1,     /* a circle in 2D */
+    SINEW_CAPSULE = 2,    /* a segment along its own x axis, thickened by `radius` */
+    SINEW_BOX = 3,
+    SINEW_POLYGON_2D = 4, /* convex, corners counter-clockwise */
+    SINEW_TERRAIN_2D = 5  /* a line of points, solid on its right-hand side (below one that runs to the right from
+                             left, counter-clockwise around a closed one: inside) */
+} sinew_collider_shape;
+typedef struct sinew_collider_spec {
+    uint32_t struct_size;
+    uint32_t shape;   /* a sinew_collider_shape */
+    const char* name; /* may be null */
+    sinew_point position;
+    sinew_point axis;          /* 3D: of `turn`; all zero: z */
+    double turn;               /* radians */
+    sinew_point half;          /* box: half of its edges; capsule: half.x is half of its segment */
+    double radius;             /* sphere, capsule */
+    const sinew_point* points; /* polygon, terrain */
+    uint32_t point_count;
+    uint32_t is_sensor;  /* 1: touched without a push */
+    double bounce;       /* share of the approach speed given back, 0 to 1 */
+    double friction;     /* Coulomb's coefficient */
+    uint32_t layers;     /* bits; 0: the first */
+    uint32_t mask;       /* layers that touch it; 0: all */
+    sinew_point one_way; /* direction of the normals that are solid, in its own frame; all zero: all */
+} sinew_collider_spec;
+SINEW_PROGRAM_API sinew_status sinew_add_collider(sinew_simulation simulation, const sinew_collider_spec* spec,
+                                                  sinew_collider* collider);
+SINEW_PROGRAM_API sinew_status sinew_remove_collider(sinew_simulation simulation, sinew_collider collider);
+
+/* --- user data --------------------------------------------------------------------------------------------------- */
+
+typedef enum sinew_object SINEW_INT {
+    SINEW_OF_PARTICLE = 0,
+    SINEW_OF_CONSTRAINT = 1,
+    SINEW_OF_COLLIDER = 2,
+    SINEW_OF_FIGURE = 3 /* by its index */
+} sinew_object;
+/* A pointer of the caller's for an object, never followed; null at first. Copies and loaded simulations have none. */
+SINEW_PROGRAM_API sinew_status sinew_set_user_data(sinew_simulation simulation, sinew_object object, uint64_t id,
+                                                   void* data);
+SINEW_PROGRAM_API sinew_status sinew_get_user_data(sinew_simulation simulation, sinew_object object, uint64_t id,
+                                                   void** data);
+
+/* --- debug drawing ----------------------------------------------------------------------------------------------- */
+
+typedef enum sinew_debug_part SINEW_INT {
+    SINEW_DRAW_LINKS = 1,     /* distances, green at rest to red at 10 % of strain */
+    SINEW_DRAW_PARTICLES = 2, /* blue; grey asleep; black pinned or immovable */
+    SINEW_DRAW_COLLIDERS = 4, /* brown */
+    SINEW_DRAW_CONTACTS = 8   /* of the last step, red: a point, and a line along the normal */
+} sinew_debug_part;
+/* Callbacks, any of which may be null. Colours are 0xRRGGBB; `context` is the caller's. */
+typedef struct sinew_debug_draw {
+    uint32_t struct_size;
+    uint32_t parts; /* sinew_debug_part bits; 0: all */
+    void* context;
+    void (*segment)(void* context, sinew_point from, sinew_point to, double radius, uint32_t color);
+    void (*sphere)(void* context, sinew_point center, double radius, uint32_t color); /* a circle in 2D */
+    void (*polygon)(void* context, const sinew_point* corners, size_t count, uint32_t color);
+} sinew_debug_draw;
+/* Calls back for everything in the world, in the scene's units. Half-spaces are lines as long as `extent` to each side;
+ * meshes and height fields are left out. */
+SINEW_PROGRAM_API sinew_status sinew_draw_debug(sinew_simulation simulation, const sinew_debug_draw* draw,
+                                                double extent);
+
+/* --- hooks, set before any other thread calls the library -------------------------------------------------------- */
+
+/* Is told of every failure, in its thread, as sinew_message() has it. Null: nobody. */
+typedef void (*sinew_log)(void* context, sinew_status status, const char* message);
+SINEW_PROGRAM_API void sinew_set_log(sinew_log log, void* context);
+/* Receives a broken assertion of a library that checks them (SINEW_ASSERTIONS). Null: prints it and aborts. */
+typedef void (*sinew_assertion_handler)(const char* file, int line, const char* text);
+SINEW_PROGRAM_API void sinew_set_assertion_handler(sinew_assertion_handler handler);
+
+/* The caller's threads in place of the library's: calls task(task_context, i) for each i below `count` once, on any
+ * threads, and returns when all calls have. */
+typedef void (*sinew_parallel)(void* context, void (*task)(void* task_context, uint32_t index), void* task_context,
+                               uint32_t count);
+/* Null: the library's own threads. Results do not depend on it. */
+SINEW_PROGRAM_API void sinew_set_parallel(sinew_parallel parallel, void* context);
+/* Threads of a simulation; 0: as many as there are cores. 1 never starts any. */
+SINEW_PROGRAM_API sinew_status sinew_set_threads(sinew_simulation simulation, uint32_t threads);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,7 @@
 
 #if !defined(__wasm__) // workers_page.cpp, workers_single.cpp
 
+#include "sinew/solver/program_threads.h"
 #include "sinew/solver/worker_pool.h"
 
 #include <system_error>
@@ -43,6 +44,25 @@ class Pool {
     }
 };
 
+ProgramThreads& program_threads() {
+    static ProgramThreads threads;
+    return threads;
+}
+
+/// Does the work on threads of the program, which take parts until none is left.
+void run_on(const ProgramThreads& threads, const SharedWork& work) {
+    struct Share {
+        const SharedWork& work;
+        std::atomic<int> next = 0;
+    } share{work};
+    const auto task = [](void* context, std::uint32_t) {
+        auto& mine = *static_cast<Share*>(context);
+        for (int part = mine.next++; part < mine.work.parts; part = mine.next++)
+            mine.work.call(mine.work.context, part);
+    };
+    threads.run(threads.context, task, &share, std::uint32_t(std::min(work.threads, work.parts)));
+}
+
 } // namespace
 
 namespace detail {
@@ -69,7 +89,12 @@ int hardware_threads() {
     return std::max(1, int(std::thread::hardware_concurrency()));
 }
 
+void set_program_threads(const ProgramThreads& threads) {
+    program_threads() = threads;
+}
+
 void Workers::share_out(const SharedWork& work) {
+    if (program_threads().run) return run_on(program_threads(), work);
     static Pool pool;
     if (!pool.run(work))
         for (int part = 0; part < work.parts; ++part) work.call(work.context, part);

@@ -1,0 +1,237 @@
+/* The functions of programs (SINEW_PROGRAM_API): worlds built by calls, user data, debug drawing, hooks. */
+#include "bindings/c/sinew.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int failures = 0;
+
+#define CHECK(condition)                                                                                               \
+    do {                                                                                                               \
+        if (!(condition)) {                                                                                            \
+            printf("%s:%d: %s (%s)\n", __FILE__, __LINE__, #condition, sinew_message());                               \
+            ++failures;                                                                                                \
+        }                                                                                                              \
+    } while (0)
+
+static sinew_simulation created(void) {
+    const sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -10, 0}, .substeps = 8};
+    sinew_simulation world = {0};
+    CHECK(sinew_create(&spec, &world) == SINEW_OK);
+    return world;
+}
+
+static double height_of(sinew_simulation world, sinew_particle particle) {
+    sinew_particle_state state = {.position = {0, NAN, 0}};
+    CHECK(sinew_get_particle(world, particle, &state) == SINEW_OK);
+    return state.position[1];
+}
+
+/* y = -g t^2 / 2; a step of Verlet's is exact for a constant force, from rest on. */
+static void an_empty_world_falls(void) {
+    const sinew_simulation world = created();
+    const sinew_particle_spec spec = {.mass = 2};
+    sinew_particle stone;
+    CHECK(sinew_add_particle(world, &spec, &stone) == SINEW_OK);
+    CHECK(sinew_step(world, 60) == SINEW_OK);
+    CHECK(fabs(height_of(world, stone) + 5) < 0.02); /* a substep's half: g h t / 2 with h = 1 / 480 */
+    CHECK(sinew_set_gravity(world, (sinew_point){0, 0, 0}) == SINEW_OK);
+    CHECK(sinew_step(world, 60) == SINEW_OK);
+    CHECK(fabs(height_of(world, stone) + 15) < 0.03);
+    CHECK(sinew_close(world) == SINEW_OK);
+}
+
+static void wrong_sizes_and_numbers_are_errors(void) {
+    sinew_simulation world = {77};
+    sinew_world_spec spec = {.struct_size = 4};
+    CHECK(sinew_create(NULL, &world) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_create(&spec, &world) == SINEW_BAD_ARGUMENT);
+    spec = (sinew_world_spec){.struct_size = sizeof spec, .dimension = 4};
+    CHECK(sinew_create(&spec, &world) == SINEW_BAD_ARGUMENT);
+    spec = (sinew_world_spec){.struct_size = sizeof spec, .gravity = {0, NAN, 0}};
+    CHECK(sinew_create(&spec, &world) == SINEW_BAD_ARGUMENT);
+    spec = (sinew_world_spec){.struct_size = sizeof spec, .rate = 1e9};
+    CHECK(sinew_create(&spec, &world) == SINEW_BAD_SCENE);
+    CHECK(world.id == 77);
+}
+
+static sinew_status add_rope(sinew_simulation world, const char* name, const sinew_parameter* parameters,
+                             uint32_t count, uint32_t* figure) {
+    const sinew_figure_spec spec = {.struct_size = sizeof spec,
+                                    .prefab = "rope",
+                                    .name = name,
+                                    .position = {3, 1, 0},
+                                    .parameters = parameters,
+                                    .parameter_count = count};
+    return sinew_add_figure(world, &spec, figure);
+}
+
+static void prefabs_take_parameters(void) {
+    const sinew_simulation world = created();
+    const sinew_parameter parameters[] = {{"length", 2, NULL}, {"segments", 8, NULL}, {"contact.figures", 0, "true"}};
+    uint32_t figure = 99, again = 99;
+    sinew_figure known;
+    sinew_particle end;
+    CHECK(add_rope(world, NULL, parameters, 3, &figure) == SINEW_OK);
+    CHECK(sinew_figure_at(world, figure, &known) == SINEW_OK && known.particles == 9);
+    CHECK(strcmp(known.name, "rope") == 0);
+    CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK);
+    CHECK(sinew_find_figure(world, "rope_2", &again) == SINEW_OK && again != figure);
+    CHECK(add_rope(world, "rope", NULL, 0, NULL) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_find_particle(world, "rope/end", &end) == SINEW_OK);
+    CHECK(sinew_run_until(world, 5) == SINEW_OK && height_of(world, end) < -0.5);
+    const sinew_parameter wrong[] = {{"segmnts", 8, NULL}}, below[] = {{"segments", -5, NULL}};
+    CHECK(add_rope(world, NULL, wrong, 1, NULL) == SINEW_BAD_SCENE && strstr(sinew_message(), "segments") != NULL);
+    CHECK(add_rope(world, NULL, below, 1, NULL) == SINEW_BAD_SCENE && sinew_diagnostic_count() == 1);
+    CHECK(sinew_remove_figure(world, figure) == SINEW_OK);
+    CHECK(sinew_remove_figure(world, figure) == SINEW_BAD_ID && sinew_remove_figure(world, 1u << 30) == SINEW_BAD_ID);
+    CHECK(sinew_find_particle(world, "rope/end", &end) == SINEW_NOT_FOUND);
+    CHECK(sinew_close(world) == SINEW_OK);
+}
+
+/* A ball lies on each shape by its radius above the surface, and falls once the collider is gone. */
+static void colliders_carry(void) {
+    const sinew_point line[] = {{-2, 0, 0}, {2, 0, 0}};
+    const sinew_point corners[] = {{-1, -1, 0}, {1, -1, 0}, {1, 0, 0}, {-1, 0, 0}};
+    const sinew_collider_spec shapes[] = {
+        {.struct_size = sizeof shapes[0], .shape = SINEW_HALF_SPACE},
+        {.struct_size = sizeof shapes[0], .shape = SINEW_BOX, .half = {1, 0.5, 0}, .position = {0, -0.5, 0}},
+        {.struct_size = sizeof shapes[0],
+         .shape = SINEW_CAPSULE,
+         .half = {1, 0, 0},
+         .radius = 0.25,
+         .position = {0, -0.25, 0}},
+        {.struct_size = sizeof shapes[0], .shape = SINEW_SPHERE, .radius = 1, .position = {0, -1, 0}},
+        {.struct_size = sizeof shapes[0], .shape = SINEW_POLYGON_2D, .points = corners, .point_count = 4},
+        {.struct_size = sizeof shapes[0], .shape = SINEW_TERRAIN_2D, .points = line, .point_count = 2}};
+    for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; ++i) {
+        const sinew_simulation world = created();
+        const sinew_particle_spec spec = {.position = {0, 0.5, 0}, .mass = 1, .radius = 0.25};
+        sinew_particle ball;
+        sinew_collider collider;
+        CHECK(sinew_add_collider(world, &shapes[i], &collider) == SINEW_OK);
+        CHECK(sinew_add_particle(world, &spec, &ball) == SINEW_OK);
+        CHECK(sinew_run_until(world, 2) == SINEW_OK && fabs(height_of(world, ball) - 0.25) < 1e-3);
+        CHECK(sinew_remove_collider(world, collider) == SINEW_OK);
+        CHECK(sinew_remove_collider(world, collider) == SINEW_BAD_ID);
+        CHECK(sinew_run_until(world, 3) == SINEW_OK && height_of(world, ball) < -1);
+        CHECK(sinew_close(world) == SINEW_OK);
+    }
+    const sinew_simulation world = created();
+    sinew_collider none = 5;
+    sinew_collider_spec wrong = {.struct_size = sizeof wrong, .shape = SINEW_SPHERE};
+    CHECK(sinew_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT);
+    wrong = (sinew_collider_spec){.struct_size = sizeof wrong, .shape = 99, .radius = 1};
+    CHECK(sinew_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT);
+    const sinew_point clockwise[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+    wrong = (sinew_collider_spec){
+        .struct_size = sizeof wrong, .shape = SINEW_POLYGON_2D, .points = clockwise, .point_count = 3};
+    CHECK(sinew_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT && none == 5);
+    CHECK(sinew_close(world) == SINEW_OK);
+}
+
+static void user_data_belongs_to_an_object(void) {
+    const sinew_simulation world = created();
+    int mine = 0;
+    void* found = &failures;
+    uint32_t figure;
+    sinew_particle end;
+    CHECK(add_rope(world, NULL, NULL, 0, &figure) == SINEW_OK);
+    CHECK(sinew_find_particle(world, "rope/end", &end) == SINEW_OK);
+    CHECK(sinew_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_OK && found == NULL);
+    CHECK(sinew_set_user_data(world, SINEW_OF_PARTICLE, end, &mine) == SINEW_OK);
+    CHECK(sinew_set_user_data(world, SINEW_OF_FIGURE, figure, &failures) == SINEW_OK);
+    CHECK(sinew_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_OK && found == &mine);
+    CHECK(sinew_get_user_data(world, SINEW_OF_FIGURE, figure, &found) == SINEW_OK && found == &failures);
+    CHECK(sinew_set_user_data(world, SINEW_OF_CONSTRAINT, end ^ 1u << 20, &mine) == SINEW_BAD_ID);
+    CHECK(sinew_set_user_data(world, (sinew_object)9, end, &mine) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_remove_figure(world, figure) == SINEW_OK);
+    CHECK(sinew_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_BAD_ID);
+    CHECK(add_rope(world, NULL, NULL, 0, &figure) == SINEW_OK); /* takes the freed index */
+    CHECK(sinew_get_user_data(world, SINEW_OF_FIGURE, figure, &found) == SINEW_OK && found == NULL);
+    CHECK(sinew_close(world) == SINEW_OK);
+}
+
+typedef struct counts {
+    int segments, spheres, polygons;
+} counts;
+static void count_segment(void* context, sinew_point from, sinew_point to, double radius, uint32_t color) {
+    ((counts*)context)->segments += isfinite(from.x + from.y + to.x + to.y + radius) && color < 1u << 24;
+}
+static void count_sphere(void* context, sinew_point center, double radius, uint32_t color) {
+    ((counts*)context)->spheres += isfinite(center.x + center.y) && radius >= 0 && color < 1u << 24;
+}
+static void count_polygon(void* context, const sinew_point* corners, size_t count, uint32_t color) {
+    ((counts*)context)->polygons += isfinite(corners[count - 1].x) && color < 1u << 24;
+}
+
+static void everything_is_drawn(void) {
+    const sinew_simulation world = created();
+    const sinew_parameter parameters[] = {{"segments", 8, NULL}};
+    const sinew_collider_spec box = {
+        .struct_size = sizeof box, .shape = SINEW_BOX, .half = {1, 1, 0}, .position = {9, 0, 0}};
+    sinew_collider collider;
+    counts seen = {0, 0, 0};
+    CHECK(add_rope(world, NULL, parameters, 1, NULL) == SINEW_OK);
+    CHECK(sinew_add_collider(world, &box, &collider) == SINEW_OK);
+    sinew_debug_draw draw = {.struct_size = sizeof draw,
+                             .context = &seen,
+                             .segment = count_segment,
+                             .sphere = count_sphere,
+                             .polygon = count_polygon};
+    CHECK(sinew_draw_debug(world, &draw, 10) == SINEW_OK);
+    CHECK(seen.segments == 8 && seen.spheres == 9 && seen.polygons == 1);
+    draw.parts = SINEW_DRAW_PARTICLES;
+    draw.sphere = NULL;
+    CHECK(sinew_draw_debug(world, &draw, 10) == SINEW_OK && seen.segments == 8 && seen.spheres == 9);
+    CHECK(sinew_draw_debug(world, &draw, -1) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_close(world) == SINEW_OK);
+}
+
+static void count_failure(void* context, sinew_status status, const char* message) {
+    *(int*)context += status == SINEW_BAD_HANDLE && message[0] != 0;
+}
+static void one_after_the_other(void* context, void (*task)(void*, uint32_t), void* task_context, uint32_t count) {
+    ++*(int*)context;
+    for (uint32_t i = 0; i < count; ++i) task(task_context, i);
+}
+
+/* A cloth of 10,000 particles is worth several threads; the caller's do it to the same bits. */
+static uint64_t hash_of_a_cloth(uint32_t threads) {
+    const sinew_simulation world = created();
+    const sinew_parameter parameters[] = {{"columns", 100, NULL}, {"rows", 100, NULL}};
+    const sinew_figure_spec spec = {
+        .struct_size = sizeof spec, .prefab = "cloth", .parameters = parameters, .parameter_count = 2};
+    uint64_t hash = 0;
+    CHECK(sinew_set_threads(world, threads) == SINEW_OK);
+    CHECK(sinew_add_figure(world, &spec, NULL) == SINEW_OK);
+    CHECK(sinew_step(world, 2) == SINEW_OK);
+    CHECK(sinew_state_hash(world, &hash) == SINEW_OK);
+    CHECK(sinew_close(world) == SINEW_OK);
+    return hash;
+}
+
+static void hooks_are_called(void) {
+    int told = 0, shared = 0;
+    sinew_set_log(count_failure, &told);
+    CHECK(sinew_step((sinew_simulation){0}, 1) == SINEW_BAD_HANDLE && told == 1);
+    sinew_set_log(NULL, NULL);
+    CHECK(sinew_step((sinew_simulation){0}, 1) == SINEW_BAD_HANDLE && told == 1);
+    const uint64_t alone = hash_of_a_cloth(1);
+    sinew_set_parallel(one_after_the_other, &shared);
+    CHECK(hash_of_a_cloth(4) == alone && shared > 0);
+    sinew_set_parallel(NULL, NULL);
+}
+
+int main(void) {
+    an_empty_world_falls();
+    wrong_sizes_and_numbers_are_errors();
+    prefabs_take_parameters();
+    colliders_carry();
+    user_data_belongs_to_an_object();
+    everything_is_drawn();
+    hooks_are_called();
+    if (failures == 0) printf("all right\n");
+    return failures != 0;
+}
