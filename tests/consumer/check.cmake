@@ -9,13 +9,15 @@ take_block(${source}/README.md hello cpp)
 file(WRITE ${work}/hello.cpp "${block}")
 take_blocks(${source}/docs/how/cpp.md cpp)
 file(WRITE ${work}/game.cpp "${block}")
+take_block(${source}/docs/how/game.md hello c)
+file(WRITE ${work}/hello.c "${block}")
 run(${CMAKE_COMMAND} --install ${build} --prefix ${prefix})
 
 run(${CMAKE_COMMAND} -G Ninja -S ${source}/tests/consumer -B ${work}/build -D FOLDER=${work}
     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_CXX_FLAGS=${flags}
     -D CMAKE_BUILD_TYPE=${type})
 run(${CMAKE_COMMAND} --build ${work}/build)
-foreach(program IN ITEMS hello game)
+foreach(program IN ITEMS hello game hello_c)
     run(${work}/build/${program})
 endforeach()
 
@@ -31,3 +33,13 @@ run(${work}/pasted/build/hello)
 run(sh -c "PKG_CONFIG_PATH=$(dirname $(find ${prefix} -name sinew.pc)) &&
     export PKG_CONFIG_PATH &&
     ${compiler} ${flags} ${work}/hello.cpp -o ${work}/hello $(pkg-config --cflags --libs sinew) && ${work}/hello")
+
+# As a subdirectory: without the packages of the command, and without a word of them on any line of the build.
+run(${CMAKE_COMMAND} -G Ninja -S ${source}/tests/consumer/subdirectory -B ${work}/subdirectory -D FOLDER=${work}
+    -D SINEW_SOURCE=${source} -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_BUILD_TYPE=Release
+    -D CMAKE_DISABLE_FIND_PACKAGE_fmt=ON -D CMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
+execute_process(COMMAND ninja -C ${work}/subdirectory -t commands OUTPUT_VARIABLE commands COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCH "[^ ]*(cairo|CLI11|SDL|ffmpeg|-lfmt|libfmt|FMT_)[^ ]*" needless "${commands}")
+if(needless)
+    message(FATAL_ERROR "a program that adds the tree as a subdirectory is built with ${needless}")
+endif()
