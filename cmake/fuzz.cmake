@@ -1,12 +1,13 @@
 # fuzz/NAME.cpp -> bin/NAME, a fuzzer per file, and a test that runs it. Needs clang. Only what runs once, the
 # reader of text among it, tells which of its branches have been taken: the build serves the other tests, too.
 target_compile_options(sinew_once PRIVATE -fsanitize=fuzzer-no-link)
+target_compile_options(sinew_files PRIVATE -fsanitize=fuzzer-no-link)
 sinew_sources(fuzz)
 add_custom_target(fuzzers)
 foreach(source IN LISTS sources)
     cmake_path(GET source STEM name)
     add_executable(${name} ${source})
-    target_link_libraries(${name} PRIVATE play sinew fmt::fmt -fsanitize=fuzzer)
+    target_link_libraries(${name} PRIVATE sinew_files play sinew fmt::fmt -fsanitize=fuzzer)
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
     sinew_warnings(${name})
     add_dependencies(fuzzers ${name})

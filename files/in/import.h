@@ -57,8 +57,8 @@ struct ImportLimits {
     static constexpr std::size_t depth = 64;         ///< nested elements, groups, nodes
     static constexpr std::size_t shapes = 2000;      ///< figures and colliders made of one file
     static constexpr std::size_t corners = 400;      ///< of a figure's outlines, once simplified
-    static constexpr std::size_t particles = 20'000; ///< of all 2D figures
-    static constexpr std::size_t points = 200'000;   ///< of a drawn outline, of a mesh
+    static constexpr std::size_t particles = 10'000; ///< of all 2D figures
+    static constexpr std::size_t points = 100'000;   ///< of a drawn outline, of a mesh
     static constexpr std::size_t notes = 1000;       ///< then the rest is counted
 };
 

@@ -93,7 +93,13 @@ void ModelScene::add(json::Object figure, const Vec3<double>& low, const Vec3<do
 /// A mesh without a role is soft if it is closed, else cloth.
 void ModelScene::build(ImportedMesh& mesh) {
     const double factor = scale();
-    for (auto& p : mesh.model.points) p = p * factor;
+    constexpr double furthest = 1e6; // metres, as for every OBJ file
+    for (auto& p : mesh.model.points) {
+        p = p * factor;
+        for (int i = 0; i < 3; ++i)
+            if (!(absolute(p[i]) <= furthest))
+                throw ImportError{mesh.place, fmt::format("a coordinate is beyond {:g} m", furthest)};
+    }
     auto role = mesh.role.value_or(
         role_called(options_.role).value_or(open_edges(mesh.model) == 0 ? Role::jelly : Role::cloth));
     if (role == Role::none) return notes_.count(mesh.place, "left out, as its name says");
@@ -137,9 +143,9 @@ void ModelScene::add_figure(const ImportedMesh& mesh, Role role, const std::stri
         }
     }
     figure.push_back({"contact", json::Object{{"figures", true}}});
-    if (!mesh.color.empty())
-        figure.push_back(
-            {"looks", json::Object{{role == Role::jelly ? "skin" : "cloth", json::Object{{"fill", mesh.color}}}}});
+    // The colour of a surface is that of its front, the fill that of its back.
+    const json::Object look{{"color", mesh.color}, {"fill", mesh.color}};
+    if (!mesh.color.empty()) figure.push_back({"looks", json::Object{{role == Role::jelly ? "skin" : "cloth", look}}});
     figures_.push_back(std::move(figure));
 }
 

@@ -35,13 +35,14 @@ class PngReader {
         if (std::ranges::all_of(image_->pixels, [](auto pixel) { return pixel >> 24U == 255; }))
             drawing.notes().add("", "the picture has no transparency: its outline is its border");
         constexpr double least_share = 1e-3; // of the largest part
-        const auto parts = parts_of(*image_);
-        std::size_t small = 0;
-        for (const auto& part : parts)
-            if (double(part.pixels) >= least_share * double(parts[0].pixels) && part.pixels > 8)
+        std::size_t largest = 0, small = 0;
+        each_part(*image_, [&](const ImagePart& part) {
+            largest = std::max(largest, part.pixels);
+            if (double(part.pixels) >= least_share * double(largest) && part.pixels > 8)
                 add(drawing, part);
             else
                 ++small;
+        });
         if (small > 0)
             drawing.notes().add("",
                                 concat(small, " specks of less than a thousandth of the largest part are left out"));
@@ -57,6 +58,7 @@ class PngReader {
     double scale_ = 1;
     Role role_ = Role::jelly;
     std::vector<SideFile> beside_;
+    std::size_t written_ = 0; ///< pixels
 
     static PixelField alpha_field(const Image& image) {
         return {image.width, image.height, [&image](int x, int y) {
@@ -66,6 +68,10 @@ class PngReader {
 
     std::string write(const Image& image) {
         auto name = fmt::format("{}_images/{}.png", file_.title, beside_.size());
+        written_ += image.pixels.size();
+        if (written_ > std::size_t(Limits{}.pixels))
+            throw ImportError{"", concat("its pieces have more than ", Limits{}.pixels, " pixels"),
+                              "--scale F makes it smaller"};
         beside_.push_back({name, png_bytes(image)});
         return name;
     }
@@ -85,11 +91,15 @@ class PngReader {
         shape.fill = role_ == Role::solid ? "none" : mean_color(part.image);
         Worn worn;
         worn.at = corner * scale_;
-        worn.size = Vec2<double>{{double(part.image.width), double(part.image.height)}} * scale_;
-        if (role_ == Role::solid) worn.file = write(part.image);
+        const auto size = Vec2<double>{{double(part.image.width), double(part.image.height)}};
+        worn.size = size * scale_;
+        // Two pixels for each of the scene: screens have as many.
+        const double density = std::min(1.0, 2 * scale_);
+        if (role_ == Role::solid)
+            worn.file = write(cut_out(part.image, {{{}, {{size[0], 0}}, size, {{0, size[1]}}}}, density));
         worn.tile = [&](std::array<Vec2<double>, 4> corners) {
             for (auto& p : corners) p = p * (1 / scale_) - corner;
-            return write(cut_out(part.image, corners));
+            return write(cut_out(part.image, corners, density));
         };
         drawing.add(shape, &worn);
     }

@@ -1,6 +1,7 @@
 #include "files/in/png_pieces.h"
 
 #include "canvas/cairo_handle.h"
+#include "files/in/import.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,21 +112,24 @@ std::uint32_t sample(const Image& image, double x, double y) {
 
 } // namespace
 
-std::vector<ImagePart> parts_of(const Image& image) {
-    constexpr std::size_t most = 200; // figures of one picture
+void each_part(const Image& image, const std::function<void(const ImagePart&)>& visit) {
     const PixelLabels labels(image);
     std::vector<std::size_t> order(labels.boxes().size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    double covered = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto& box = labels.boxes()[i];
+        order[i] = i;
+        covered += double(box.right - box.left + 1) * double(box.bottom - box.top + 1);
+    }
+    if (covered > 4 * double(image.pixels.size())) throw ImportError{"", "its parts lie within each other too often"};
     std::ranges::stable_sort(order, std::greater(), [&](auto i) { return labels.boxes()[i].pixels; });
-    std::vector<ImagePart> parts;
-    for (std::size_t i = 0; i < std::min(most, order.size()); ++i) parts.push_back(labels.part(order[i]));
-    return parts;
+    for (const auto i : order) visit(labels.part(i));
 }
 
-Image cut_out(const Image& image, const std::array<Vec2<double>, 4>& corners) {
+Image cut_out(const Image& image, const std::array<Vec2<double>, 4>& corners, double density) {
     const auto& [a, b, c, d] = corners;
-    constexpr double most = 256; // pixels a side
-    const auto pixels = [&](double length) { return std::max(int(std::ceil(std::fmin(length, most))), 2); };
+    constexpr double most = 2048; // pixels a side
+    const auto pixels = [&](double length) { return std::max(int(std::ceil(std::fmin(length * density, most))), 2); };
     Image part{pixels(std::max(distance(a, b), distance(d, c))), pixels(std::max(distance(a, d), distance(b, c))), {}};
     for (int y = 0; y < part.height; ++y)
         for (int x = 0; x < part.width; ++x) {

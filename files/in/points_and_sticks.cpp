@@ -26,6 +26,9 @@ class PointsReader {
             root_["points"].fail(concat("at most ", ImportLimits::particles, " points are imported"));
         for (std::size_t i = 0; i < root_["points"].size(); ++i) add_point(root_["points"][i], i);
         if (particles_.empty()) root_.fail("there is no point in it");
+        constexpr std::size_t most = 5 * ImportLimits::particles;
+        for (const auto* const part : {"sticks", "forms"})
+            if (root_[part].size() > most) root_[part].fail(concat("at most ", most, " ", part, " are imported"));
         for (std::size_t i = 0; i < root_["sticks"].size(); ++i) add_stick(root_["sticks"][i], i);
         for (std::size_t i = 0; i < root_["forms"].size(); ++i) add_form(root_["forms"][i], i);
         pass_over(root_, {"points", "sticks", "forms"});
@@ -39,6 +42,7 @@ class PointsReader {
     Notes notes_;
     json::Object particles_, looks_;
     json::Array constraints_, pieces_;
+    std::size_t corners_ = 0;                               ///< of all forms
     std::map<std::string, std::string, std::less<>> names_; ///< particle of each id
 
     void pass_over(const JsonNode& node, std::initializer_list<std::string_view> known) {
@@ -105,6 +109,7 @@ class PointsReader {
         if (!path.exists()) return notes_.count(node.place(), "a form without a path, such as an image, is not taken");
         if (path.size() < 3 || path.size() > most_corners_of_a_form)
             path.fail(concat("a form has 3 to ", most_corners_of_a_form, " points"));
+        if ((corners_ += path.size()) > 5 * ImportLimits::particles) path.fail("the forms have too many points");
         json::Array through;
         for (std::size_t k = 0; k < path.size(); ++k) through.push_back(particle(path[k]));
         const auto part = concat("form_", i);

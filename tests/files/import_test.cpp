@@ -22,9 +22,9 @@ bool moves_and_is_finite(Opened opened) {
 TEST(Import, EverySampleIsASceneThatOpensAndSteps) {
     for (const auto* const name :
          {"svg/logo.svg", "svg/level.svg", "svg/icons.svg", "png/cat.png", "png/donut.png", "png/leaves.png",
-          "obj/banner.obj", "obj/pudding.obj", "obj/napkin.obj", "gltf/human.glb", "gltf/tablecloth.gltf",
-          "gltf/robot.gltf", "tiled/level.tmj", "tiled/cave.tmj", "tiled/room.tmj", "points/box.json",
-          "points/rope.json", "points/wheel.json"}) {
+          "obj/banner.obj", "obj/pudding.obj", "obj/napkin.obj", "gltf/human.glb", "gltf/rigged.glb",
+          "gltf/tablecloth.gltf", "gltf/robot.gltf", "tiled/level.tmj", "tiled/cave.tmj", "tiled/room.tmj",
+          "points/box.json", "points/rope.json", "points/wheel.json"}) {
         std::string why;
         auto opened = open_imported(import_sample(name), &why);
         ASSERT_TRUE(opened) << name << "\n" << why;
