@@ -71,8 +71,8 @@ class ExportCommand final : public Command {
             .usage = "SCENE -o FILE [options] [key=value...]",
             .about = "writes a scene as a file of other programs: models, vectors, film",
             .details = details,
-            .examples = "sinew export curtain -o curtain.pc2 --seconds 4 --fps 24\n"
-                        "sinew export curtain -o frames/curtain-%04d.obj --of curtain\n"
+            .examples = "sinew export cloth3d -o silk.pc2 --seconds 4 --fps 24\n"
+                        "sinew export curtain -o frames/curtain-%04d.obj --seconds 4\n"
                         "sinew export rope -o rope.glb\n"
                         "sinew export ragdoll -o ragdoll.json --seconds 3 --error 0.5\n"
                         "sinew export ragdoll -o ragdoll.svg --seconds 3 view.plain=true\n"
@@ -98,8 +98,7 @@ class ExportCommand final : public Command {
     }
 
     int run() override {
-        if (path.empty())
-            usage_error("nothing says what to write", "such as: -o curtain.pc2 (see sinew export --help)");
+        if (path.empty()) usage_error("nothing says what to write", "such as: -o silk.pc2 (see sinew export --help)");
         const auto& format = chosen_format();
         settle(files::frame_number_problem(path));
         canvas::catch_interrupts();
