@@ -319,17 +319,23 @@ constexpr std::array<Renamed, 9> renamed_words = {{{"angle", "turn"},
                                                    {"wheel_quickens", "wheel_time_scale"}}};
 
 /// Words of other engines and of everyday speech.
-constexpr std::array<Renamed, 35> foreign_words = {{{"anchored", "pinned"},
+constexpr std::array<Renamed, 44> foreign_words = {{{"anchored", "pinned"},
                                                     {"ball", "sphere"},
+                                                    {"bounce", "contact"},
                                                     {"circle", "sphere"},
+                                                    {"circle", "ball"},
                                                     {"color", "looks"},
                                                     {"colour", "color"},
+                                                    {"crate", "box"},
                                                     {"density", "mass"},
+                                                    {"disc", "ball"},
+                                                    {"disk", "ball"},
                                                     {"edge", "chain"},
                                                     {"elasticity", "bounce"},
                                                     {"elasticity", "compliance"},
                                                     {"fixed", "pinned"},
                                                     {"floor", "half_space"},
+                                                    {"friction", "contact"},
                                                     {"ground", "half_space"},
                                                     {"heightfield", "height_field"},
                                                     {"hinge", "angle"},
@@ -341,12 +347,15 @@ constexpr std::array<Renamed, 35> foreign_words = {{{"anchored", "pinned"},
                                                     {"prismatic", "rail"},
                                                     {"rectangle", "box"},
                                                     {"restitution", "bounce"},
+                                                    {"restitution", "contact"},
                                                     {"rod", "distance"},
                                                     {"rotation", "turn"},
                                                     {"slider", "rail"},
+                                                    {"softbody", "jelly"},
                                                     {"spring", "distance"},
                                                     {"static", "pinned"},
                                                     {"stiffness", "compliance"},
+                                                    {"string", "rope"},
                                                     {"terrain", "height_field"},
                                                     {"type", "shape"},
                                                     {"type", "kind"},
@@ -366,6 +375,13 @@ std::string_view own_name(std::string_view word, std::span<const std::string_vie
     for (const auto& [from, to] : foreign_words)
         if (from == word && std::ranges::find(candidates, to) != candidates.end()) return to;
     return {};
+}
+
+std::vector<std::string_view> own_names(std::string_view word) {
+    std::vector<std::string_view> names;
+    for (const auto& [from, to] : foreign_words)
+        if (from == word) names.push_back(to);
+    return names;
 }
 
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates) {

@@ -96,6 +96,12 @@ class Walk {
 
 } // namespace
 
+std::vector<std::string> exact_key_paths(const Layout& shape, const json::Value& document, std::string_view key) {
+    Walk walk(key);
+    walk.record(shape, &document, "");
+    return walk.paths;
+}
+
 std::vector<std::string> key_paths(const Layout& shape, const json::Value& document, std::string_view key) {
     Walk exact(key);
     exact.record(shape, &document, "");
@@ -103,9 +109,7 @@ std::vector<std::string> key_paths(const Layout& shape, const json::Value& docum
     const auto renamed = new_name(key);
     const auto near = renamed.empty() ? nearest(key, exact.names) : renamed;
     if (near.empty()) return {};
-    Walk like(near);
-    like.record(shape, &document, "");
-    return like.paths;
+    return exact_key_paths(shape, document, near);
 }
 
 } // namespace sinew

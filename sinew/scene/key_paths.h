@@ -12,5 +12,7 @@ namespace sinew {
 /// List elements are those of the document. If no field has that name, the field renamed from it is used, or the one
 /// nearest in spelling.
 std::vector<std::string> key_paths(const Layout& record, const json::Value& document, std::string_view key);
+/// The same for fields of exactly that name.
+std::vector<std::string> exact_key_paths(const Layout& record, const json::Value& document, std::string_view key);
 
 } // namespace sinew

@@ -133,22 +133,41 @@ void report_missing(const json::Value& object, const Field& field, const Path& p
                              help_of(field));
 }
 
-/// Help for an unknown key. An override has no surrounding file to look at, so its author gets full paths.
-std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Reading& in) {
-    constexpr std::uint32_t file = 0;
+/// "did you mean "a.b" or "c.b"?"; empty without a path.
+std::string suggested_paths(const std::vector<std::string>& paths) {
     constexpr std::size_t max_told = 4;
-    const auto renamed = new_name(member.key);
-    const auto word = renamed.empty() ? std::string_view(member.key) : renamed;
-    const bool is_near = std::ranges::find(allowed, word) != allowed.end() || !own_name(word, allowed).empty() ||
-                         !nearest(word, allowed).empty();
-    if (member.key_span.source == file || !in.elsewhere || is_near) return suggest(member.key, allowed);
-    const auto paths = in.elsewhere(member.key);
-    if (paths.empty()) return suggest(member.key, allowed);
+    if (paths.empty()) return "";
     std::string help = "did you mean ";
     for (std::size_t i = 0; i < std::min(paths.size(), max_told); ++i)
         help += concat(i == 0 ? "" : " or ", in_quotes(paths[i]));
     if (paths.size() > max_told) help += concat(", or at ", paths.size() - max_told, " more places");
     return help + "?";
+}
+
+/// Paths in other sections of a file at which a key is allowed, or the word that Sinew has for the key.
+std::vector<std::string> section_paths(std::string_view key, const Reading& in) {
+    if (!in.in_sections) return {};
+    auto paths = in.in_sections(key);
+    for (const auto word : own_names(key))
+        for (auto& path : in.in_sections(word)) paths.push_back(std::move(path));
+    return paths;
+}
+
+/// Help for an unknown key. An override has no surrounding file to look at, so its author gets full paths.
+std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Reading& in) {
+    constexpr std::uint32_t file = 0;
+    const auto renamed = new_name(member.key);
+    const auto word = renamed.empty() ? std::string_view(member.key) : renamed;
+    const bool is_in_section = member.key_span.source == file && in.in_sections && !in.in_sections(word).empty();
+    const bool is_near = std::ranges::find(allowed, word) != allowed.end() || !own_name(word, allowed).empty() ||
+                         (!is_in_section && !nearest(word, allowed).empty());
+    if (is_near) return suggest(member.key, allowed);
+    if (member.key_span.source == file) {
+        const auto paths = suggested_paths(section_paths(member.key, in));
+        return concat(paths, paths.empty() ? "" : " ", suggest({}, allowed));
+    }
+    const auto paths = in.elsewhere ? suggested_paths(in.elsewhere(member.key)) : std::string();
+    return paths.empty() ? suggest(member.key, allowed) : paths;
 }
 
 bool report_unknown(const json::Object& object, const std::vector<std::string_view>& allowed, const Path& path,

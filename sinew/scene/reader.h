@@ -24,8 +24,10 @@ struct Reading {
     int dimension = 2;
     Units units = {};
     mutable std::int64_t memory = Limits{}.memory; ///< remaining bytes for lists
-    /// Full paths at which a key is allowed, for an override with a misplaced key.
+    /// Full paths at which a misplaced key of an override is allowed.
     std::function<std::vector<std::string>(std::string_view key)> elsewhere = {};
+    /// Full paths at which a misplaced key of a file is allowed, outside of lists: "world.gravity".
+    std::function<std::vector<std::string>(std::string_view key)> in_sections = {};
 };
 
 /// Position of the reader in the document: a linked list on the stack, converted to text only for a message.

@@ -92,10 +92,16 @@ std::optional<Opened> open_scene(Document& document, const ImageReader& images, 
                  .dimension = header.dimension,
                  .units = measures(header.units),
                  .memory = document.limits.memory,
-                 .elsewhere = [&](std::string_view key) {
-                     if (!layout) layout = scene_layout();
-                     return key_paths(*layout, document.root, key);
-                 }});
+                 .elsewhere =
+                     [&](std::string_view key) {
+                         if (!layout) layout = scene_layout();
+                         return key_paths(*layout, document.root, key);
+                     },
+                 .in_sections =
+                     [&](std::string_view key) {
+                         if (!layout) layout = scene_layout();
+                         return exact_key_paths(*layout, json::Object{}, key);
+                     }});
     if (document.diagnostics.count() > without_version) return std::nullopt;
     if (models) read_models(opened.scene, models, document);
     const bool has_models = document.diagnostics.count() == without_version;

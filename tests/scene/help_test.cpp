@@ -52,8 +52,23 @@ TEST(OverrideHelp, FindsAKeyOfNearlyThatSpelling) {
     EXPECT_TRUE(says(said_of(two_ropes, {{"nonsense_of_mine=0"}}), "allowed here: about,"));
 }
 
-TEST(OverrideHelp, OfAFileTellsWhatIsAllowedThere) {
-    EXPECT_TRUE(says(said_of(R"({"sinew": 1, "gravity": 0})"), "allowed here: about,"));
+TEST(FileHelp, TellsWhatIsAllowedThereAndWhichSectionHasTheKey) {
+    const auto said = [](const std::string& member) { return said_of(R"({"sinew": 1, )" + member + "}"); };
+    EXPECT_TRUE(says(said(R"("gravity": 0)"), "did you mean \"world.gravity\"? allowed here: about,"));
+    EXPECT_TRUE(says(said(R"("substeps": 3)"), "did you mean \"solver.substeps\"?"));
+    EXPECT_TRUE(says(said(R"("restitution": 1)"), "did you mean \"world.bounds.bounce\"?"));
+    EXPECT_TRUE(says(said(R"("bounce": 1)"), "did you mean \"world.bounds.bounce\"?")) << "not source, of like letters";
+    EXPECT_TRUE(says(said(R"("nonsense_of_mine": 0)"), "help: allowed here: about,"));
+}
+
+TEST(FileHelp, KnowsTheWordsOfOtherEngines) {
+    const auto said = [](const std::string& members) {
+        return said_of(R"({"sinew": 1, "figures": [{)" + members + R"(, "at": [0, 0]}]})");
+    };
+    EXPECT_TRUE(says(said(R"("prefab": "circle")"), "did you mean \"ball\"?"));
+    EXPECT_TRUE(says(said(R"("prefab": "box", "restitution": 1)"), "did you mean \"contact\"?"));
+    EXPECT_TRUE(says(said(R"("prefab": "box", "density": 1)"), "did you mean \"mass\"?"));
+    EXPECT_TRUE(says(said(R"("prefab": "box", "color": "red")"), "did you mean \"looks\"?"));
 }
 
 TEST(SceneVersion, OfALaterSinewIsToldAloneAsSuch) {
