@@ -34,8 +34,7 @@ void take_down_with_us() {
 /// Signal handler: calls only async-signal-safe functions (POSIX).
 void note(int signal_number) {
     if (received.exchange(signal_number) == 0) return;
-    take_down_with_us();
-    _exit(128 + signal_number);
+    end_at_once(128 + signal_number);
 }
 
 void catch_signal(int signal_number) {
@@ -54,6 +53,11 @@ void catch_signal(int signal_number) {
 void catch_interrupts() {
     for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) catch_signal(signal_number);
     for (const int signal_number : {SIGPIPE, SIGXFSZ}) std::signal(signal_number, SIG_IGN);
+}
+
+void end_at_once(int exit_code) {
+    take_down_with_us();
+    _exit(exit_code);
 }
 
 int interrupted() {

@@ -18,8 +18,12 @@ int interrupted();
 /// Exit code of a process ended by a signal: 128 + the signal's number (130 after Ctrl-C).
 int interrupt_exit_code();
 
-/// Registers files to unlink and child processes to kill at a second signal. The path's characters must outlive the
-/// registration. At most 32 of each are remembered.
+/// Ends the process at once with this exit code, after removing the files and children registered below. Safe in a
+/// signal handler.
+[[noreturn]] void end_at_once(int exit_code);
+
+/// Registers files to unlink and child processes to kill when the process ends at once. The path's characters must
+/// outlive the registration. At most 32 of each are remembered.
 void doom(const char* path);
 void spare(const char* path);
 void doom(pid_t child);

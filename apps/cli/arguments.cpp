@@ -4,6 +4,7 @@
 
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/process_limits.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -117,16 +118,18 @@ void declare_in_range(CLI::App& parser, const std::string& names, std::optional<
     });
 }
 
-void declare_all(Command& command, CLI::App& parser) {
+void declare_all(Command& command, CLI::App& parser, ProcessLimits& limits) {
     parser.set_help_flag("-h,--help", "this text");
     command.declare(parser);
+    declare_limits(parser, limits);
 }
 
 } // namespace
 
 bool parse(Command& command, std::span<const std::string> arguments) {
     CLI::App parser("", std::string(command.manual().name));
-    declare_all(command, parser);
+    ProcessLimits limits;
+    declare_all(command, parser, limits);
     parser.allow_extras();
     try {
         std::vector<std::string> from_the_end(arguments.rbegin(), arguments.rend()); // CLI11 expects the reverse order
@@ -137,12 +140,14 @@ bool parse(Command& command, std::span<const std::string> arguments) {
         usage_error(error.what(), fmt::format("see `sinew help {}`", parser.get_name()));
     }
     refuse_unknown_options(parser);
+    set_limits(limits);
     return true;
 }
 
 std::vector<std::vector<std::string>> option_rows(Command& command) {
     CLI::App parser;
-    declare_all(command, parser);
+    ProcessLimits limits;
+    declare_all(command, parser, limits);
     std::vector<std::vector<std::string>> rows;
     for (const auto* option : parser.get_options([](const CLI::Option* o) { return o->nonpositional(); })) {
         const bool takes_value = option->get_items_expected_max() > 0;

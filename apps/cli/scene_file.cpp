@@ -1,11 +1,13 @@
 #include "apps/cli/scene_file.h"
 
 #include "sinew/scene/text.h"
+#include "sinew/snapshot/snapshot.h"
 
 #include "apps/cli/catalogue.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
 #include "canvas/png.h"
+#include "player/recording.h"
 
 #include <cerrno>
 #include <cstring>
@@ -111,13 +113,22 @@ std::size_t bytes_allowed(std::span<const Override> overrides) {
     return std::size_t(load("{}", {}, overrides).limits.bytes);
 }
 
+void refuse_other_files(const std::string& text, const std::string& name) {
+    const auto bytes = std::as_bytes(std::span(text));
+    if (is_snapshot(bytes))
+        refuse(name, "a snapshot, not a scene", "sinew run FILE goes on from it; sinew diff compares it with another");
+    if (play::is_recording(bytes))
+        refuse(name, "a recording, not a scene", "sinew replay FILE plays it; sinew play FILE shows it");
+}
+
 } // namespace
 
 Document open_document(const std::string& word, std::span<const Override> overrides) {
     const auto max = bytes_allowed(overrides);
-    if (word == "-") return load(standard_input(max), "<stdin>", overrides);
-    const auto path = path_of(word);
-    return load(read_path(path, max), path.string(), overrides);
+    const auto name = word == "-" ? "<stdin>" : path_of(word).string();
+    const auto text = word == "-" ? standard_input(max) : read_path(name, max);
+    refuse_other_files(text, name);
+    return load(text, name, overrides);
 }
 
 namespace {

@@ -4,7 +4,6 @@
 #include "apps/cli/console.h"
 #include "apps/cli/scene_file.h"
 #include "player/files.h"
-#include "player/recording.h"
 
 #include <array>
 #include <cerrno>
@@ -61,8 +60,6 @@ SceneOpener opener_for(const std::string& name) {
 }
 
 SessionFile open_session(const SceneWords& words) {
-    if (play::is_recording(head_of(words.scene)))
-        refuse(words.scene, "a recording, not a scene", "sinew replay FILE plays it; sinew play FILE shows it");
     if (!is_snapshot_file(words.scene))
         return {Session(open_file(words.scene, words.overrides)), absolute_scene_path(words.scene)};
     if (!words.overrides.empty())

@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
 
@@ -82,11 +83,20 @@ Trace::Trace(const std::string& path, const std::string& names, const Session& s
     : path_(path), is_table_(path.ends_with(".csv")) {
     all_ = names.empty();
     if (!all_) choose(names, session); // first: a wrong name leaves an older file as it was
-    if (path != "-") {
-        file_.reset(std::fopen(path.c_str(), "wb"));
-        if (!file_) refuse(path, std::strerror(errno));
-    }
+    if (path != "-") open();
     if (is_table_) text_ = heading(session.scene().dimension);
+}
+
+void Trace::open() {
+    std::error_code unknown;
+    const auto status = std::filesystem::status(path_, unknown);
+    const bool is_stream = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+    if (!is_stream) {
+        partial_ = std::make_unique<canvas::PartialFile>();
+        if (const auto failure = partial_->create(path_)) refuse(path_, *failure);
+    }
+    file_.reset(std::fopen(partial_ ? partial_->path().c_str() : path_.c_str(), "wb"));
+    if (!file_) refuse(path_, std::strerror(errno));
 }
 
 void Trace::choose(const std::string& names, const Session& session) {
@@ -168,6 +178,8 @@ void Trace::flush() {
 
 void Trace::close() {
     if (file_ && std::fclose(file_.release()) != 0) refuse(path_, std::strerror(errno));
+    if (!partial_) return;
+    if (const auto failure = partial_->commit()) refuse(path_, *failure);
 }
 
 } // namespace sinew::cli

@@ -2,6 +2,8 @@
 
 #include "sinew/session/session.h"
 
+#include "canvas/partial_file.h"
+
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -20,7 +22,7 @@ class Trace {
 
     /// Writes a row for each remaining particle.
     void write(const Session& session);
-    /// Throws CommandError if a row could not be written.
+    /// Gives the file its name. Throws CommandError if a row could not be written.
     void close();
 
   private:
@@ -33,12 +35,14 @@ class Trace {
     };
 
     std::string path_;
-    std::unique_ptr<std::FILE, Close> file_; ///< null for standard output
+    std::unique_ptr<canvas::PartialFile> partial_; ///< null for standard output, a device and a pipe
+    std::unique_ptr<std::FILE, Close> file_;       ///< null for standard output
     bool is_table_ = false;
     bool all_ = false; ///< true: particles added by tearing cloth are traced too
     std::vector<ProjectedPiece> traced_;
     std::string text_; ///< rows of the present frame
 
+    void open();
     void choose(const std::string& names, const Session& session);
     void choose_all(const Session& session);
     void trace(ParticleId particle, const Session& session);
