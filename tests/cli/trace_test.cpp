@@ -81,7 +81,7 @@ TEST(Trace, TakesFiguresAndStemsAndSaysWhatItDoesNotKnow) {
     EXPECT_TRUE(has(unknown.err, "no particle or figure called \"f/c\"")) << unknown.err;
     EXPECT_TRUE(has(unknown.err, "f/a")) << unknown.err;
     EXPECT_EQ(sinew({"run", "pendulum", "--every", "2"}).code, 2) << "of no trace";
-    EXPECT_EQ(sinew({"run", "pendulum", "--trace", "/no/such/folder/a.csv"}).code, 1);
+    EXPECT_EQ(sinew({"run", "pendulum", "--trace", "/dev/null/a.csv"}).code, 1);
     EXPECT_EQ(sinew({"run", "pendulum", "--seconds", "1", "--trace", "-"}, {.output = "/dev/full"}).code, 1);
 }
 
