@@ -1,6 +1,7 @@
 #include "sinew/scene/diagnostic.h"
 
 #include "sinew/math/sort.h"
+#include "sinew/scene/foreign_words.h"
 #include "sinew/scene/utf8.h"
 
 #include <algorithm>

@@ -102,9 +102,6 @@ std::string_view new_name(std::string_view word);
 /// The candidate that other engines call `word` ("restitution" for "bounce"); empty if there is none.
 std::string_view own_name(std::string_view word, std::span<const std::string_view> candidates);
 
-/// All words of the format for what other engines call `word`; empty if there are none.
-std::vector<std::string_view> own_names(std::string_view word);
-
 /// Help text for an unknown word: `did you mean "mass"? (allowed here: id, mass, pinned, pos)`
 std::string suggest(std::string_view word, std::vector<std::string_view> candidates);
 

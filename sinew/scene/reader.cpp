@@ -1,5 +1,7 @@
 #include "sinew/scene/reader.h"
 
+#include "sinew/scene/foreign_words.h"
+
 #include <algorithm>
 
 namespace sinew {
