@@ -6,7 +6,9 @@ add_library(sinew_files STATIC ${sources} ${headers})
 target_link_libraries(sinew_files PUBLIC canvas sinew PRIVATE fmt::fmt nlohmann_json::nlohmann_json
     PkgConfig::pugixml ZLIB::ZLIB)
 sinew_app(sinew_files)
-target_precompile_headers(sinew_files REUSE_FROM canvas)
+if(NOT SINEW_FUZZ) # instrumented files cannot have the precompiled header of others
+    target_precompile_headers(sinew_files REUSE_FROM canvas)
+endif()
 
 # --- interactive player, independent of the window ----------------------------------------------------------------
 add_library(play STATIC $<TARGET_OBJECTS:sinew_player> ${player_files})

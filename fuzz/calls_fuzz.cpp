@@ -35,9 +35,9 @@ class Program {
     }
     /// A usual number, an extreme one, or any eight bytes.
     double number() {
-        constexpr double infinite = std::numeric_limits<double>::infinity();
-        constexpr std::array extremes = {0.0,   -1.0,     1e-300,    1e-12,        1e12,
-                                         1e300, infinite, -infinite, std::nan(""), 1e39};
+        constexpr double infinite = std::numeric_limits<double>::infinity(),
+                         undefined = std::numeric_limits<double>::quiet_NaN();
+        constexpr std::array extremes = {0.0, -1.0, 1e-300, 1e-12, 1e12, 1e300, infinite, -infinite, undefined, 1e39};
         const auto kind = byte();
         if (kind < 200) return (kind - 100) / 20.0;
         if (kind < 250) return extremes[kind % extremes.size()];
