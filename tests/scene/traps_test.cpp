@@ -1,6 +1,8 @@
 #include "sinew/scene/scene.h"
+#include "sinew/session/session.h"
 #include "sinew/world/edit.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <string>
 
@@ -29,6 +31,29 @@ std::string three(const std::string& constraints, const std::string& more = "") 
     return R"({"sinew": 1, "figures": [{"name": "f", "particles": {"a": {"at": [-1, 0]}, "b": {"at": [0, 0]},
         "c": {"at": [1, 0]}}, "constraints": [)" +
            constraints + "]}]" + more + "}";
+}
+
+// A rope that begins in the ground is lifted out of it, with what hangs on its end; no step finds no way at all.
+TEST(Ground, LetsOutTheFigureThatBeginsInIt) {
+    for (const char* part : {"right_foot", "head"})
+        for (const double height : {0.2, 0.8, 1.1}) {
+            const auto text = fmt::format(R"({{"sinew": 1, "world": {{"gravity": [0, -9.81]}},
+                "colliders": [{{"shape": "half_space", "friction": 0.6}}],
+                "figures": [{{"prefab": "rope", "name": "c", "segments": 8, "at": [-0.75, {}]}},
+                            {{"prefab": "ragdoll", "name": "r", "at": [1.2, 1.5]}}],
+                "constraints": [{{"between": ["c/end", "r/{}"]}}]}})",
+                                          height, part);
+            auto document = load(text, "a.json");
+            auto scene = open_scene(document);
+            ASSERT_TRUE(scene) << to_text(document.diagnostics);
+            Session session(std::move(*scene));
+            for (int i = 0; i < 90; ++i) session.step();
+            const auto& world = std::get<World<2, double>>(session.world());
+            for (Row row = 0; row < world.particles.size(); ++row) {
+                if (world.particles.mobility[row] == 0) continue;
+                EXPECT_GE(world.particles.position[row][1], world.particles.radius[row] - 1e-3) << part << height;
+            }
+        }
 }
 
 TEST(Pins, OfASceneThatHoldOneParticleTwiceAreToldBoth) {

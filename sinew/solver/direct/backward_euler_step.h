@@ -47,6 +47,8 @@ template <int D, class Real> class BackwardEulerStep {
 
     /// Kinetic energy due at the end, J.
     double due() const { return kinetic_ + energy_.work(); }
+    /// False for a motion that takes more energy than there is; walls lift what begins behind them.
+    bool is_possible() const { return substep_.contact().near() || !state_.works_alone() || due() >= 0; }
 
     /// Fallback: a linear step towards the solution, halved until lengths and energy are tolerable. Some of the way is
     /// always made, which leaves a state without a solution behind.
@@ -57,7 +59,7 @@ template <int D, class Real> class BackwardEulerStep {
         solve_.use_penalty();
         substep_.run(Rule::backward_euler, 1);
         const double max_strain = max(bearable, solve_.worst_start_strain());
-        substep_.retreat([&] { return solve_.worst_position_strain() <= max_strain && due() >= 0; });
+        substep_.retreat([&] { return solve_.worst_position_strain() <= max_strain && is_possible(); });
         state_.start_tensions();
     }
 
