@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/held_rows.h"
 #include "sinew/solver/contact/support.h"
 #include "sinew/solver/solver.h"
@@ -14,8 +15,10 @@ template <int D, class Real> class DeepRows {
     using Origin = ContactOrigin<D, Real>;
     using Part = ContactPart<D, Real>;
 
-    DeepRows(Solver<D, Real>& solver, const RowSolver<D, Real>& rows)
-        : solver_(solver), state_(solver.sweep_state), rows_(rows), held_(solver.contacts.get(), state_, rows) {}
+    /// `h`: length of the substep.
+    DeepRows(Solver<D, Real>& solver, const RowSolver<D, Real>& rows, Real h)
+        : solver_(solver), state_(solver.sweep_state), rows_(rows), held_(solver.contacts.get(), state_, rows), h_(h),
+          gravity_(norm(state_.gravity)) {}
 
     /// Before the lengths are corrected. Rows that begin the substep no deeper than half of that are left to the next
     /// one.
@@ -49,6 +52,7 @@ template <int D, class Real> class DeepRows {
     SweepState<D, Real>& state_;
     const RowSolver<D, Real>& rows_;
     HeldRows<D, Real> held_;
+    Real h_, gravity_;
 
     auto& projector() { return solver_.contacts->projector; }
 
@@ -91,8 +95,12 @@ template <int D, class Real> class DeepRows {
     }
     Real missing(const RowT& row, const Origin& origin) const {
         const Real beyond = -row.gap - origin.deep;
-        return (beyond > Real(0) ? Softness<Real>::contact().rate * beyond : beyond) -
-               rows_.change(row, origin.surface_displacement);
+        return (beyond > Real(0) ? recovery(beyond) : beyond) - rows_.change(row, origin.surface_displacement);
+    }
+    /// Way out of a depth in a substep: of the soft rows, and no faster than anything leaves an overlap, since the
+    /// velocity of this way stays.
+    Real recovery(Real depth) const {
+        return min(Softness<Real>::contact().rate * depth, depth - depth_left(depth, gravity_, h_));
     }
     bool hold(RowT& row, Origin& origin, const Support<D, Real>& support) {
         const Real lacking = missing(row, origin);

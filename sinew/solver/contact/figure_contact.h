@@ -86,7 +86,7 @@ template <int D, class Real> class FigureContact {
     bool is_active_;
     Real h_, from_, to_, left_; ///< substep; shares of the step at its ends; rest of the step
     RowSolver<D, Real> rows_{state_, max_displacement(h_)};
-    DeepRows<D, Real> deep_{solver_, rows_};
+    DeepRows<D, Real> deep_{solver_, rows_, h_};
     bool is_first_, is_last_, drag_changes_;
     int threads_;
 
