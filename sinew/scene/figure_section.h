@@ -242,7 +242,7 @@ struct ContactSection {
                     .low = 0,
                     .high = 100});
         visit(self.bounce, Field{.name = "bounce",
-                                 .help = "Coefficient of restitution on walls and colliders; the larger one counts",
+                                 .help = "Coefficient of restitution; of two that touch the larger one counts",
                                  .low = 0,
                                  .high = 1});
         visit(self.wall_friction,

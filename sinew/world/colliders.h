@@ -31,7 +31,7 @@ struct FigureContactSpec {
     ClothContactKind cloth = ClothContactKind::spheres; ///< of its faces with themselves and other cloth (3D)
     double friction = 0.5;                              ///< against other figures; the smaller one counts
     collide::Filter filter{};
-    double bounce = 0;                     ///< on walls; the larger one counts
+    double bounce = 0;                     ///< restitution; of two that touch the larger one counts
     std::optional<double> wall_friction{}; ///< against walls, in place of theirs
 };
 /// Changes the contact of a figure; false for an unknown figure.

@@ -111,7 +111,7 @@ struct Figure {
     bool touches_itself = false; ///< likewise with each other, except for neighbours on a link
     ClothContactKind cloth = ClothContactKind::spheres; ///< of its faces (3D)
     double friction = 0.5;                              ///< Coulomb's coefficient against other figures
-    double bounce = 0;                                  ///< restitution on walls, 0..1; the larger one of both counts
+    double bounce = 0;                                  ///< restitution, 0..1; of two that touch the larger one counts
     std::optional<double> wall_friction{};              ///< Coulomb's coefficient against walls, in place of theirs
     double internal_damping = 0;            ///< rate of decay of motion other than that of a rigid body, >= 0, 1 / time
     std::uint32_t generation = Stamp::none; ///< generation of the FigureId; none: not in use

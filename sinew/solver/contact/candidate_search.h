@@ -42,7 +42,7 @@ template <int D, class Real> class CandidateSearch {
     /// Calls visit(other) for the features with lower numbers that may touch a feature. All forecasts are new.
     template <class Visit> void each_lower(std::uint32_t feature, Visit&& visit) const {
         if (feature < count_) {
-            if (room_.particles[feature].in_segment) return;
+            if (room_.particles[feature].is_covered) return;
             list_.particles.each_near(searched(feature, feature, feature, size_of(feature)), [&](auto other) {
                 if (other < feature && are_near(feature, other) && may_touch(feature, other)) visit(other);
             });
@@ -66,7 +66,7 @@ template <int D, class Real> class CandidateSearch {
         collide::BoundingBox<D, Real> box;
         box.include(position_in_frame(p));
         box = box.grown(radius_of(p));
-        if (!room_.particles[p].in_segment)
+        if (!room_.particles[p].is_covered)
             each_particle(box, [&](std::uint32_t other) {
                 if (other != p && (!list_.is_new[other] || other < p) && are_near(p, other) && may_touch(p, other))
                     visit(std::max(p, other), std::min(p, other));
@@ -176,7 +176,7 @@ template <int D, class Real> class CandidateSearch {
     bool may_touch(std::uint32_t i, std::uint32_t k) const {
         const auto &a = room_.particles[i], &b = room_.particles[k];
         if (room_.is_of_cloth(a.row) || room_.is_of_cloth(b.row)) return false; // face_contact.h, cloth_contact.h
-        return !a.in_segment && !b.in_segment && meets(a.row, b.row) && !are_linked(a.row, b.row);
+        return !a.is_covered && !b.is_covered && meets(a.row, b.row) && !are_linked(a.row, b.row);
     }
     bool may_touch(std::uint32_t particle, const ContactSegment& segment) const {
         const Row row = room_.particles[particle].row;

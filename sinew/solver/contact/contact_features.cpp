@@ -94,7 +94,8 @@ template <int D, class Real> class FeatureFinder {
                                        .slot = state.slot_of[row],
                                        .figure = figure,
                                        .radius = world_.particles.radius[row],
-                                       .friction = Real(world_.figures[figure].friction)});
+                                       .friction = Real(world_.figures[figure].friction),
+                                       .restitution = Real(world_.figures[figure].bounce)});
             room_.by_rows[state.slot_of[row]] = !room_.is_of_cloth(row);
             any_other = any_other || !room_.is_of_cloth(row);
         }
@@ -111,7 +112,11 @@ template <int D, class Real> class FeatureFinder {
         first.assign(room_.particles.size() + 2, 0);
         for (auto& segment : room_.segments) {
             segment.number_a = number(segment.a), segment.number_b = number(segment.b);
-            room_.particles[segment.number_a].in_segment = room_.particles[segment.number_b].in_segment = true;
+            const Real radius = min(radius_at(segment.number_a), radius_at(segment.number_b));
+            for (const auto end : {segment.number_a, segment.number_b}) {
+                room_.particles[end].in_segment = true;
+                room_.particles[end].is_covered |= radius_at(end) <= radius;
+            }
             ++first[segment.number_a + 2];
         }
         for (std::size_t i = 2; i < first.size(); ++i) first[i] += first[i - 1];
@@ -119,6 +124,8 @@ template <int D, class Real> class FeatureFinder {
         for (std::uint32_t i = 0; i < room_.segments.size(); ++i)
             room_.segments_at[first[room_.segments[i].number_a + 1]++] = i;
     }
+
+    Real radius_at(std::uint32_t number) const { return room_.particles[number].radius; }
 
     /// Strips of equal numbers of particles, by the places at the start of the step. A figure with segments is in one
     /// strip.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/union_find.h"
 #include "sinew/solver/cloth/thin_room.h"
 #include "sinew/solver/contact/cloth_room.h"
 #include "sinew/solver/contact/contact_list.h"
@@ -56,6 +57,7 @@ template <int D, class Real> struct ContactRoom {
     std::vector<KeptContact<D, Real>> written;           ///< copy of what the world keeps, after the last step
     detail::ContactParts<D, Real> parts;
     std::vector<ReboundRow<Real>> rebounds; ///< scratch
+    UnionFind groups;                       ///< of components of rigid links, then of slots; scratch
 
     detail::LinkProjector<D, Real> projector;
     detail::JointRows<D, Real> joints;

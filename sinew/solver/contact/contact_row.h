@@ -47,13 +47,13 @@ template <int D, class Real> struct ContactOrigin {
     Real arm_at(Real distance) const { return max(share_of_deep * distance / deep, Real(0.1)); }
 };
 
-/// Row of a wall while a body rebounds. Displacements are those along the normal in a substep.
+/// Row of a blow. Displacements are those along the normal in a substep.
 template <class Real> struct ReboundRow {
-    std::uint32_t body = 0, part = 0, row = 0; ///< component of links; part, and index of the row in it
-    Real added = 0;                            ///< displacement by half of the forces in the substep
-    Real before = 0;                           ///< displacement before the blow
-    Real target = 0;                           ///< displacement after it, at least
-    Real impulse = 0;                          ///< h newton seconds
+    std::uint32_t group = 0, part = 0, row = 0; ///< first of the figures that rebound together; part, and index in it
+    Real added = 0;                             ///< displacement by half of the forces in the substep
+    Real before = 0;                            ///< displacement before the blow
+    Real target = 0;                            ///< displacement after it, at least
+    Real impulse = 0;                           ///< h newton seconds
     Real mass = 0; ///< impulse per displacement, as the whole figure answers; 0: not known yet
 };
 
@@ -75,8 +75,9 @@ template <class Real> struct ContactParticle {
     Row row = 0, slot = 0; ///< slot of the sweep
     FigureIndex figure = no_figure;
     bool in_segment = false;
+    bool is_covered = false; ///< by a segment as wide as the particle: nothing touches the particle and no segment
     Real radius = 0;
-    Real friction = 0;
+    Real friction = 0, restitution = 0;
     std::uint32_t strip = 0; ///< part of the world (contact_parts.h)
 };
 

@@ -71,7 +71,7 @@ template <int D, class Real> class FigureContact {
         Rebounds<D, Real> rebounds(room(), state_, rows_, h_);
         each_part([&](Part& part) {
             for (std::size_t i = 0; i < part.rows.size(); ++i)
-                if (i < part.first_wall || !rebounds.awaits_blow(part.rows[i], part.origins[i]))
+                if (!rebounds.awaits_blow(part.rows[i], part.origins[i]))
                     rows_.solve(part.rows[i], Soft::none(), part.origins[i].surface_displacement);
         });
         room().projector.project_velocities(state_, threads_);

@@ -220,6 +220,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     /// Takes up the multipliers of the last substep; returns the gap up to which the row acts.
     Real restore(ContactRowT& row, Origin& origin, const Particle& first, const Particle& second) const {
         row.friction = min(first.friction, second.friction);
+        origin.restitution = max(first.restitution, second.restitution);
         const auto& kept = room_.multipliers[source_];
         row.multiplier = kept.normal, row.tangent = kept.tangent;
         origin.source = source_;

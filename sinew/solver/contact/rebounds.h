@@ -4,16 +4,18 @@
 #include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/held_rows.h"
 
-/// Blows of figures on walls with restitution, before the figures move in a substep. With v- and v+ the velocities of a
-/// contact along its normal before and after, and lambda its impulse,
+/// Blows with restitution, before the figures move in a substep. With v- and v+ the velocities of a contact along its
+/// normal before and after, and lambda its impulse,
 ///
 ///     v+ >= target,   lambda >= 0,   lambda (v+ - target) = 0;     target = -e v- after a blow, else nothing sinks in
 ///
-/// for all contacts of a figure at once (Newton's law; Moreau 1988), as the whole figure answers with its links held;
+/// for all contacts of a group at once (Newton's law; Moreau 1988), as the whole figures answer with their links held;
 /// then friction, by as much as stops the slip and at most its coefficient times lambda; and again, until nothing
-/// approaches (generalised reflections: Smith et al. 2012). Velocities are those at the start of the substep, without
-/// the half of what the forces add. With one e the energy changes by (1 - e) lambda v- / 2 <= 0; where walls differ in
-/// it, a share of the impulses is taken such that lambda (v- + v+) / 2 sums up to no gain.
+/// approaches (generalised reflections: Smith et al. 2012). A group is a figure with its walls, or figures that
+/// contacts with restitution join. These take part in a reflection once they approach: what strikes one end of a row of
+/// balls leaves it at the other. Velocities are those at the start of the substep, without the half of what the forces
+/// add. With one e the energy changes by (1 - e) lambda v- / 2 <= 0; where contacts differ in it, a share of the
+/// impulses is taken such that lambda (v- + v+) / 2 sums up to no gain.
 namespace sinew::detail {
 
 template <int D, class Real> class Rebounds {
@@ -32,11 +34,11 @@ template <int D, class Real> class Rebounds {
         list();
         const auto& all = room_.rebounds;
         for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
-            while (last < all.size() && all[last].body == all[first].body) ++last;
+            while (last < all.size() && all[last].group == all[first].group) ++last;
             reflect(std::span(room_.rebounds).subspan(first, last - first));
         }
     }
-    /// True for a row that strikes its wall in the next substep, and rebounds then: until then nothing slows it down.
+    /// True for a row that strikes in the next substep, and rebounds then: until then nothing slows it down.
     bool awaits_blow(const RowT& row, const ContactOrigin<D, Real>& origin) const {
         return origin.restitution > Real(0) &&
                rebound_after(-rows_.change(row, origin.surface_displacement), Real(1), resting_);
@@ -44,8 +46,8 @@ template <int D, class Real> class Rebounds {
     /// After the move: the impulse of a blow is no load that goes on into the next substep.
     void forget_blows() {
         for (auto& part : room_.parts.list)
-            for (auto k = part.first_wall; k < part.rows.size(); ++k)
-                if (rebound_after(part.origins[k].approach, Real(1), resting_)) {
+            for (std::size_t k = 0; k < part.rows.size(); ++k)
+                if (takes_part(part, k) && rebound_after(part.origins[k].approach, Real(1), resting_)) {
                     part.origins[k].pushed += part.rows[k].multiplier;
                     part.rows[k].multiplier = 0;
                 }
@@ -60,42 +62,73 @@ template <int D, class Real> class Rebounds {
     Real resting_;
     Vec<D, Real> added_; ///< displacement by half of what gravity adds in the substep
 
+    bool is_wall(const Rebounding& one) { return one.row >= part_of(one).first_wall; }
     Part& part_of(const Rebounding& one) { return room_.parts.list[one.part]; }
     RowT& row_of(const Rebounding& one) { return part_of(one).rows[one.row]; }
     Real change(const Rebounding& one) {
         return rows_.change(row_of(one), part_of(one).origins[one.row].surface_displacement);
     }
 
-    /// Rows of walls, body by body, if some wall may be struck.
+    /// Rows of walls, and those between figures that rebound from each other.
+    static bool takes_part(const Part& part, std::size_t row) {
+        return row >= part.first_wall || part.origins[row].restitution > Real(0);
+    }
+    /// Rows of blows group by group, if something may strike.
     void list() {
         auto& all = room_.rebounds;
         all.clear();
-        bool any = false;
+        bool any = false, joins = false;
         for (std::uint32_t i = 0; i < contact_parts; ++i) {
             const auto& part = room_.parts.list[i];
-            for (auto k = part.first_wall; k < part.rows.size(); ++k) {
-                const auto& row = part.rows[k];
+            for (std::size_t k = 0; k < part.rows.size(); ++k) {
+                if (!takes_part(part, k)) continue;
                 any = any || (part.origins[k].restitution > Real(0) &&
                               rebound_after(part.origins[k].approach, Real(1), resting_));
-                all.push_back(
-                    {.body = body_of(row), .part = i, .row = std::uint32_t(k), .added = dot(row.normal, added_)});
+                joins = joins || k < part.first_wall;
+                all.push_back({.part = i, .row = std::uint32_t(k), .added = added_of(part.rows[k])});
             }
         }
         if (!any) return all.clear();
+        if (joins) join_bodies();
+        for (auto& one : all) one.group = joins ? room_.groups.first_of(body_of(row_of(one))) : body_of(row_of(one));
         sinew::sort(all.begin(), all.end(), [](const Rebounding& a, const Rebounding& b) {
-            return std::tie(a.body, a.part, a.row) < std::tie(b.body, b.part, b.row);
+            return std::tie(a.group, a.part, a.row) < std::tie(b.group, b.part, b.row);
         });
     }
-    /// Component of the links, or `none`.
+    /// Displacement of a contact by half of what gravity adds.
+    Real added_of(const RowT& row) const {
+        Real share = 0;
+        for (std::size_t i = 0; i < row.members; ++i)
+            if (state_.mobility[row.slot[i]] > Real(0)) share += row.weight[i];
+        return share * dot(row.normal, added_);
+    }
+    /// Figures that a row meets are of one group; what cannot move passes no blow on.
+    void join_bodies() {
+        auto& groups = room_.groups;
+        groups.make_room(links().components.size() + state_.size());
+        for (const auto& one : room_.rebounds)
+            for (const Row slot : HeldRows<D, Real>::members_of(row_of(one))) groups.separate(body_of(slot));
+        for (const auto& one : room_.rebounds)
+            for (const Row slot : HeldRows<D, Real>::members_of(row_of(one)))
+                if (state_.mobility[slot] > Real(0)) groups.join(body_of(row_of(one)), body_of(slot));
+    }
+    const RigidLinks<D, Real>& links() const { return room_.projector.links(); }
+    /// Component of the rigid links, or a number of its own for a particle without any.
+    std::uint32_t body_of(Row slot) const {
+        const auto component = links().component_of[slot];
+        return component != none ? component : std::uint32_t(links().components.size() + slot);
+    }
+    /// That of the first member that can move.
     std::uint32_t body_of(const RowT& row) const {
-        const auto& component_of = room_.projector.links().component_of;
-        const auto first = component_of[row.slot[0]];
-        return first != none || row.members < 2 ? first : component_of[row.slot[1]];
+        const auto members = HeldRows<D, Real>::members_of(row);
+        const auto first = std::ranges::find_if(members, [&](Row slot) { return state_.mobility[slot] > Real(0); });
+        return body_of(first != members.end() ? *first : members[0]);
     }
 
     void reflect(std::span<Rebounding> body) {
-        constexpr int most = 10; // blows of a body in a substep: a rod that rattles between a wall and the floor
-        for (int i = 0; i < most && set_targets(body); ++i) {
+        // A rod that rattles between a wall and the floor takes ten; a blow passes through a row of balls one by one.
+        const auto most = 10 + min(body.size(), std::size_t(90));
+        for (std::size_t i = 0; i < most && set_targets(body); ++i) {
             solve(body);
             take_back_gain(body);
             rub(body);
@@ -108,7 +141,8 @@ template <int D, class Real> class Rebounds {
         for (auto& one : body) {
             const auto& origin = part_of(one).origins[one.row];
             const Real gap = max(row_of(one).gap, Real(0));
-            one.before = change(one), one.impulse = 0, one.target = min(-gap, one.before);
+            one.before = change(one), one.impulse = 0;
+            one.target = is_wall(one) ? min(-gap, one.before) : -limit::measure<Real>;
             if (origin.restitution == Real(0) || !(gap + one.before < Real(0))) continue;
             if (const auto away = rebound_after(-one.before, origin.restitution, resting_)) {
                 one.target = *away + (Real(1) + origin.restitution) * one.added;
@@ -121,10 +155,7 @@ template <int D, class Real> class Rebounds {
         constexpr int enough = 50;         // a crate five times as high as wide needs forty
         constexpr Real exact = Real(1e-6); // of the fastest rebound
         Real fastest = 0;
-        for (auto& one : body) {
-            if (one.mass == Real(0)) one.mass = held_.mass_of(row_of(one));
-            fastest = max(fastest, one.target);
-        }
+        for (const auto& one : body) fastest = max(fastest, one.target);
         for (int i = 0; i < enough; ++i) {
             Real corrected = 0;
             for (auto& one : body) corrected = max(corrected, correct(one));
@@ -134,6 +165,8 @@ template <int D, class Real> class Rebounds {
     /// Returns the velocity corrected, as a displacement.
     Real correct(Rebounding& one) {
         const Real lacking = one.target - change(one);
+        if (!(lacking > Real(0)) && one.impulse == Real(0)) return 0;
+        if (one.mass == Real(0)) one.mass = held_.mass_of(row_of(one));
         const Real next = min(max(one.impulse + lacking * one.mass, Real(0)), limit::multiplier<Real>);
         const Real added = next - one.impulse;
         push(one, added);
@@ -155,16 +188,20 @@ template <int D, class Real> class Rebounds {
         const Real share = clamp(-b * inverse_or_zero(a), Real(0), Real(1));
         for (auto& one : body) push(one, (share - Real(1)) * one.impulse);
     }
-    /// Friction of the blow. Each impulse takes energy.
+    /// Friction of the blow, at the rims of balls. Each impulse takes energy.
     void rub(std::span<Rebounding> body) {
         for (auto& one : body) {
             const auto& row = row_of(one);
             if (!(row.friction > Real(0)) || !(one.impulse > Real(0))) continue;
             const auto moved = rows_.relative_displacement(row) - part_of(one).origins[one.row].surface_displacement;
+            const auto slip = rows_.slip_of(row, moved);
             auto along = row;
-            along.normal = -direction(moved - row.normal * dot(row.normal, moved));
-            const Real slip = -dot(along.normal, moved);
-            if (slip > Real(0)) held_.push(along, min(slip * held_.mass_of(along), row.friction * one.impulse));
+            along.normal = -direction(slip);
+            const Real mass = rows_.mass_with_turns(row, held_.mass_of(along));
+            const Real impulse = min(norm(slip) * mass, row.friction * one.impulse);
+            if (!(impulse > Real(0))) continue;
+            held_.push(along, impulse);
+            rows_.turn(row, along.normal * impulse);
         }
     }
     void note(const Rebounding& one) {

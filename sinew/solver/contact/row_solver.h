@@ -27,7 +27,30 @@ template <int D, class Real> class RowSolver {
     /// Gives the multiplier of friction once more, and turns what it rubs.
     void apply_again(const RowT& row) const {
         apply(row, row.normal * row.multiplier + row.tangent);
-        if (row.arm > Real(0)) turn(row, row.tangent);
+        turn(row, row.tangent);
+    }
+    /// Part of a relative displacement along the surface, with that of the rims of balls.
+    Vector slip_of(const RowT& row, const Vector& moved) const {
+        auto slip = moved - row.normal * dot(row.normal, moved);
+        if (row.arm > Real(0))
+            each_ball(row, [&](Row slot) { slip += slip_of_rim(state_.rollers[slot].rim, row.normal) * row.arm; });
+        return slip;
+    }
+    /// Mass that friction feels: without turns it would be `mass`.
+    Real mass_with_turns(const RowT& row, Real mass) const {
+        if (!(row.arm > Real(0)) || mass == Real(0)) return mass;
+        Real response = Real(1) / mass;
+        each_ball(row, [&](Row slot) { response += state_.rim_mobility(slot) * square(row.arm); });
+        return Real(1) / response;
+    }
+    /// Turns balls by an impulse of friction.
+    void turn(const RowT& row, const Vector& impulse) const {
+        if (!(row.arm > Real(0))) return;
+        const auto by = turn_of_rim(row.normal, impulse);
+        each_ball(row, [&](Row slot) {
+            auto& rim = state_.rollers[slot].rim;
+            rim = clamp_components(rim + by * (state_.rim_mobility(slot) * row.arm), furthest_);
+        });
     }
     /// True for a member that is touched itself, as a ball is; ends of links share a contact between them.
     static bool is_ball(const RowT& row, std::size_t i) {
@@ -48,16 +71,13 @@ template <int D, class Real> class RowSolver {
         const Real along = dot(row.normal, moved);
         const Real next =
             min(one_sided_multiplier(row.multiplier, row.mass, along, row.gap, soft), limit::multiplier<Real>);
-        auto slip = moved - row.normal * along;
-        Real mass = row.mass;
-        if (row.arm > Real(0)) add_turns(row, slip, mass);
-        auto tangent = row.tangent - slip * mass;
+        auto tangent = row.tangent - slip_of(row, moved) * mass_with_turns(row, row.mass);
         const Real square_size = dot(tangent, tangent), max_friction = row.friction * next;
         if (square_size > square(max_friction)) tangent *= max_friction * inverse_or_zero(square_root(square_size));
         row.max = max(row.max, next);
         if (next == row.multiplier && tangent == row.tangent) return;
         apply(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
-        if (row.arm > Real(0)) turn(row, tangent - row.tangent);
+        turn(row, tangent - row.tangent);
         row.multiplier = next;
         row.tangent = tangent;
     }
@@ -110,22 +130,6 @@ template <int D, class Real> class RowSolver {
     template <class Visit> void each_ball(const RowT& row, const Visit& visit) const {
         for (std::size_t i = 0; i < std::size_t(row.members); ++i)
             if (is_ball(row, i) && state_.rolls(row.slot[i])) visit(row.slot[i]);
-    }
-    /// Adds the turns of balls to the slip, and to its response.
-    void add_turns(const RowT& row, Vector& slip, Real& mass) const {
-        Real response = Real(1) / mass;
-        each_ball(row, [&](Row slot) {
-            slip += slip_of_rim(state_.rollers[slot].rim, row.normal) * row.arm;
-            response += state_.rim_mobility(slot) * square(row.arm);
-        });
-        mass = Real(1) / response;
-    }
-    void turn(const RowT& row, const Vector& impulse) const {
-        const auto by = turn_of_rim(row.normal, impulse);
-        each_ball(row, [&](Row slot) {
-            auto& rim = state_.rollers[slot].rim;
-            rim = clamp_components(rim + by * (state_.rim_mobility(slot) * row.arm), furthest_);
-        });
     }
 };
 
