@@ -36,7 +36,7 @@ void end_for_time(int) {
     end_with(time_message);
 }
 
-/// Limits private writable memory: unlike the address space, it does not count what threads and libraries reserve.
+/// Limits private writable memory: unlike the address space, the reserves of threads and libraries do not count.
 void limit_memory(int megabytes) {
     memory_message = error_text("sinew", fmt::format("more than {} MB of memory are needed", megabytes),
                                 "--max-memory MB allows more");

@@ -12,8 +12,8 @@
 /// for all contacts of a group at once (Newton's law; Moreau 1988), as the whole figures answer with their links held;
 /// then friction, by as much as stops the slip and at most its coefficient times lambda; and again, until nothing
 /// approaches (generalised reflections: Smith et al. 2012). A group is a figure with its walls, or figures that
-/// contacts with restitution join. These take part in a reflection once they approach: what strikes one end of a row of
-/// balls leaves it at the other. Velocities are those at the start of the substep, without the half of what the forces
+/// contacts with restitution join. These take part in a reflection once they approach: a blow on one end of a row of
+/// balls leaves at the other. Velocities are those at the start of the substep, without the half of what the forces
 /// add. With one e the energy changes by (1 - e) lambda v- / 2 <= 0; where contacts differ in it, a share of the
 /// impulses is taken such that lambda (v- + v+) / 2 sums up to no gain.
 namespace sinew::detail {
@@ -95,14 +95,14 @@ template <int D, class Real> class Rebounds {
             return std::tie(a.group, a.part, a.row) < std::tie(b.group, b.part, b.row);
         });
     }
-    /// Displacement of a contact by half of what gravity adds.
+    /// Displacement of a contact by `added_`.
     Real added_of(const RowT& row) const {
         Real share = 0;
         for (std::size_t i = 0; i < row.members; ++i)
             if (state_.mobility[row.slot[i]] > Real(0)) share += row.weight[i];
         return share * dot(row.normal, added_);
     }
-    /// Figures that a row meets are of one group; what cannot move passes no blow on.
+    /// Figures that a row meets are of one group; immovable members pass no blow on.
     void join_bodies() {
         auto& groups = room_.groups;
         groups.make_room(links().components.size() + state_.size());

@@ -47,7 +47,7 @@ template <int D, class Real> class BackwardEulerStep {
 
     /// Kinetic energy due at the end, J.
     double due() const { return kinetic_ + energy_.work(); }
-    /// False for a motion that takes more energy than there is; walls lift what begins behind them.
+    /// False for a motion that takes more energy than there is; walls lift figures that begin behind them.
     bool is_possible() const { return substep_.contact().near() || !state_.works_alone() || due() >= 0; }
 
     /// Fallback: a linear step towards the solution, halved until lengths and energy are tolerable. Some of the way is
