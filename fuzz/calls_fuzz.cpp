@@ -145,7 +145,7 @@ class Calls {
         if (which == 3) save_and_load();
     }
 
-    /// What was saved has the same hash when it is loaded, and after a step.
+    /// A loaded world has the hash of the saved one, at once and after a step.
     void save_and_load() {
         const std::uint8_t* bytes = nullptr;
         std::size_t size = 0;

@@ -6,7 +6,7 @@
 
 namespace sinew::files {
 
-/// What an imported shape or mesh becomes.
+/// Kind of figure or collider that an imported shape or mesh becomes.
 enum class Role { solid, jelly, cloth, rope, collider, none };
 
 struct RoleWord {

@@ -7,7 +7,7 @@
 
 namespace sinew::files {
 
-/// What a format of moving vectors writes of.
+/// Input of a format of moving vectors.
 struct VectorFilm {
     const TrackRecorder& recorder;
     Color background;

@@ -1,19 +1,9 @@
 /* The C face, from C: a pendulum keeps its laws, and no handle, id or pointer from outside can do harm. */
-#include "bindings/c/sinew.h"
+#include "tests/bindings/check.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static int failures = 0;
-
-#define CHECK(condition)                                                                                               \
-    do {                                                                                                               \
-        if (!(condition)) {                                                                                            \
-            printf("%s:%d: %s (%s)\n", __FILE__, __LINE__, #condition, sinew_message());                               \
-            ++failures;                                                                                                \
-        }                                                                                                              \
-    } while (0)
 
 static const char* const pendulum =
     "{\"sinew\": 1, \"view\": {\"center\": [0, 0], \"height\": 4, \"size\": [400, 400]}, \"world\": {\"gravity\": [0, "

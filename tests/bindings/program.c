@@ -1,19 +1,9 @@
 /* The functions of programs (SINEW_PROGRAM_API): worlds built by calls, user data, debug drawing, hooks. */
-#include "bindings/c/sinew.h"
+#include "tests/bindings/check.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static int failures = 0;
-
-#define CHECK(condition)                                                                                               \
-    do {                                                                                                               \
-        if (!(condition)) {                                                                                            \
-            printf("%s:%d: %s (%s)\n", __FILE__, __LINE__, #condition, sinew_message());                               \
-            ++failures;                                                                                                \
-        }                                                                                                              \
-    } while (0)
 
 static sinew_simulation created(void) {
     const sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -10, 0}, .substeps = 8};

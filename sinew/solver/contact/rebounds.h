@@ -118,7 +118,7 @@ template <int D, class Real> class Rebounds {
         const auto component = links().component_of[slot];
         return component != none ? component : std::uint32_t(links().components.size() + slot);
     }
-    /// That of the first member that can move.
+    /// Body of the first member that can move.
     std::uint32_t body_of(const RowT& row) const {
         const auto members = HeldRows<D, Real>::members_of(row);
         const auto first = std::ranges::find_if(members, [&](Row slot) { return state_.mobility[slot] > Real(0); });
