@@ -134,10 +134,10 @@ template <class WorldT> class ContactPoints {
         return surface.has_value();
     }
 
-    // --- touches of colliders, of what no row holds
-    // --------------------------------------------------------------------
+    // --- touches of colliders that no row holds; planes are found by position ----------------------------------------
 
     void add(const ColliderTouch& touch) {
+        if (is_plane(touch.collider)) return;
         const std::array pair = {touch.particle, touch.collider};
         const auto side = side_of(touch.particle, none);
         const auto* collider = collider_at(touch.collider);

@@ -141,6 +141,15 @@ TEST(Overlay, AFloorCarriesTheWeightOfWhatRestsOnIt) {
     EXPECT_NEAR(longest_arrow(picture), 63, 0.5);
 }
 
+// A rule lets the world list its planes beside its colliders: the floor carries what it carried without.
+TEST(Overlay, AFloorThatARuleNamesIsTouchedOnce) {
+    const auto picture =
+        seen("contacts", R"({"prefab": "box", "name": "box", "at": [0, 20], "width": 40, "height": 40,
+        "mass": 3.6})",
+             R"("events": [{"on": {"of": "box", "with": "bounds"}, "note": "down"}], )", 3, floor_at_zero);
+    EXPECT_TRUE(has_text(picture, "2 touch, with up to 18 N"));
+}
+
 std::string box(const std::string& name, double width, double height, double middle, double mass,
                 const std::string& more) {
     return R"({"prefab": "box", "name": ")" + name + R"(", "dot": 2, "at": [0, )" + std::to_string(middle) +
