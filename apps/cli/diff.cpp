@@ -5,11 +5,14 @@
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/diff_picture.h"
 #include "apps/cli/json_line.h"
 #include "apps/cli/recording_file.h"
 #include "apps/cli/scene_file.h"
+#include "apps/cli/scrap.h"
 #include "apps/cli/session_file.h"
 #include "apps/cli/stepping.h"
+#include "canvas/formats.h"
 #include "canvas/interrupt.h"
 
 #include <fmt/format.h>
@@ -116,27 +119,34 @@ class DiffCommand final : public Command {
     Manual manual() const override {
         return {
             .name = "diff",
-            .usage = "A B [--seconds S] [--json]",
+            .usage = "A B [-o FILE] [--seconds S] [--json]",
             .about = "runs two scenes, snapshots or recordings side by side and tells where they part",
             .details = "The first step after which any number of the two states differs is told, with the first field\n"
                        "and row that does, both values, and how much the field differs at most. Two snapshots are\n"
                        "compared as they are, and go on for --seconds if it is given; recordings are played to the\n"
-                       "end of the shorter one. Exit code 0 if they are equal to the last bit, 1 if not.\n",
+                       "end of the shorter one. Exit code 0 if they are equal to the last bit, 1 if not.\n"
+                       "The picture of -o has both beside each other after that step, and a ring around the\n"
+                       "particle; with --later S the runs go on before it is drawn, until the difference is seen.\n",
             .examples = "sinew diff before.sinew after.sinew\n"
                         "sinew diff monday.rec tuesday.rec --json | jq .field\n"
-                        "sinew diff old/ragdoll.json ragdoll.json --seconds 2\n",
+                        "sinew diff old/ragdoll.json ragdoll.json --seconds 2\n"
+                        "sinew diff old/ragdoll.json ragdoll.json -o parted.png --later 2\n",
         };
     }
 
     void declare(CLI::App& parser) override {
         declare_words(parser, words);
         declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long at most");
+        declare_text(parser, "-o,--output", picture, "FILE", "draws both where they part: .png, .svg, .pdf");
+        declare_number(parser, "--later", later, possible_seconds, "S", "of the picture: so long after they part");
         declare_flag(parser, "--json", as_json, "ends with one line of JSON");
     }
 
     int run() override {
         if (words.plain.size() != 2 || !words.overrides.empty())
             usage_error("diff compares two files", "sinew diff A B");
+        if (picture.empty() && later) usage_error("--later is of a picture", "sinew diff A B -o parted.png --later 2");
+        if (!picture.empty()) settle(canvas::check(picture, {}));
         canvas::catch_interrupts();
         Runner a(words.plain[0]), b(words.plain[1]);
         std::uint64_t taken = 0;
@@ -145,7 +155,18 @@ class DiffCommand final : public Command {
             print(to_line(found ? json_of(*found) : json::Object{{"steps", taken}, {"same", true}}));
         else
             print(found ? text_of(*found) : fmt::format("the same, to the last bit, for {} steps\n", taken));
+        if (found && !picture.empty()) draw_parted(a, b, *found);
         return found ? bad_input : done;
+    }
+
+    void draw_parted(Runner& a, Runner& b, const Found& found) const {
+        for (auto left = steps_until(a.session().scene(), later.value_or(0)); left > 0; --left) {
+            give_up_if_interrupted();
+            if (!a.step() || !b.step()) break;
+        }
+        const bool is_of_particle = found.what.field.starts_with("particles.");
+        draw_difference(picture, {a.session(), words.plain[0]}, {b.session(), words.plain[1]},
+                        is_of_particle ? std::optional(Row(found.what.row)) : std::nullopt);
     }
 
     std::uint64_t steps_of(const Runner& a, const Runner& b) const {
@@ -156,7 +177,8 @@ class DiffCommand final : public Command {
     }
 
     Words words;
-    std::optional<double> seconds;
+    std::optional<double> seconds, later;
+    std::string picture;
     bool as_json = false;
 };
 

@@ -128,6 +128,9 @@ TEST(Diff, TellsTheFirstStepAndField) {
     EXPECT_EQ(found["step"], 0);
     EXPECT_EQ(found["row"], 1);
     EXPECT_EQ(found["particle"], "f/b");
+    const auto picture = scratch("parted.png");
+    EXPECT_EQ(sinew({"diff", one, other, "-o", picture, "--later", "0.1"}).code, 1);
+    EXPECT_EQ(bytes_of(picture).substr(1, 3), "PNG");
     EXPECT_EQ(sinew({"diff", one}).code, 2);
 }
 
