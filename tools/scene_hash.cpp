@@ -1,13 +1,17 @@
 #include "sinew/session/session.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <span>
 
-// scene_hash SECONDS SCENE [KEY=VALUE...]: prints the hash of the final world, and nothing else. Needs the library
-// alone: a cross compiler without other libraries can build the program (tools/same_bits).
+// scene_hash LENGTH SCENE [KEY=VALUE...]: prints the hash of the final world, and nothing else. LENGTH is in seconds
+// ("5"), or in steps ("600steps"). SINEW_THREADS and SINEW_SIMD of the environment choose threads and instruction set;
+// one that the program or the processor lacks is an error. Needs the library alone: a cross compiler without other
+// libraries can build the program (tools/same_bits, tools/renew_determinism).
 
 namespace {
 
@@ -23,11 +27,33 @@ int fail(const char* what, const std::string& which) {
     return 1;
 }
 
+/// Steps of a length, "5" or "600steps", at `rate` steps a second.
+std::uint64_t steps_of(std::string_view length, double rate) {
+    double number = 0;
+    const auto [end, problem] = std::from_chars(length.data(), length.data() + length.size(), number);
+    if (problem != std::errc()) return 0;
+    if (std::string_view(end, length.data() + length.size()) == "steps") return std::uint64_t(number);
+    return std::uint64_t(std::ceil(number * rate - 1e-9));
+}
+
+/// Options named by the environment; nothing for an unknown or missing instruction set.
+std::optional<SolverOptions> wanted_options() {
+    SolverOptions options;
+    if (const char* const threads = std::getenv("SINEW_THREADS")) options.threads = std::atoi(threads);
+    if (const char* const name = std::getenv("SINEW_SIMD")) {
+        const auto simd = simd_called(name);
+        if (!simd || !has_simd(*simd)) return std::nullopt;
+        options.simd = *simd;
+    }
+    return options;
+}
+
 } // namespace
 
 int main(int count, char** words) {
-    if (count < 3) return fail("usage: scene_hash SECONDS", "SCENE [KEY=VALUE...]");
-    const double seconds = std::strtod(words[1], nullptr);
+    if (count < 3) return fail("usage: scene_hash LENGTH", "SCENE [KEY=VALUE...]");
+    const auto options = wanted_options();
+    if (!options) return fail("has not", std::getenv("SINEW_SIMD"));
     const std::string path = words[2], folder = path.substr(0, path.rfind('/') + 1);
     std::vector<Override> overrides;
     for (const char* word : std::span(words, std::size_t(count)).subspan(3)) overrides.push_back({word});
@@ -42,8 +68,9 @@ int main(int count, char** words) {
     };
     auto opened = open_scene(document, any_image, model);
     if (!opened) return fail("cannot open", path);
-    const auto steps = std::uint64_t(std::ceil(seconds * opened->scene.solver.rate - 1e-9));
+    const auto steps = steps_of(words[1], opened->scene.solver.rate);
     Session session(std::move(*opened));
+    session.set_options(*options);
     for (std::uint64_t step = 0; step < steps; ++step) session.step();
     std::printf("%016llx\n", static_cast<unsigned long long>(session.report().hash));
 }
