@@ -6,6 +6,7 @@
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
 #include "apps/cli/diff_picture.h"
+#include "apps/cli/diff_trace.h"
 #include "apps/cli/json_line.h"
 #include "apps/cli/recording_file.h"
 #include "apps/cli/scene_file.h"
@@ -115,20 +116,39 @@ json::Object json_of(const Found& found) {
             {"most", what.most}};
 }
 
+std::string text_of(const TraceDifference& found, std::size_t rows) {
+    return fmt::format("line {}, {}: {} is {} in the first and {} in the second\n"
+                       "{} of {} rows differ, by {:.3g} at most\n",
+                       found.line, found.row, found.field, found.first, found.second, found.rows, rows, found.most);
+}
+
+json::Object json_of(const TraceDifference& found, std::size_t rows) {
+    return {{"line", std::uint64_t(found.line)},
+            {"row", found.row},
+            {"field", found.field},
+            {"first", found.first},
+            {"second", found.second},
+            {"rows", std::uint64_t(found.rows)},
+            {"compared", std::uint64_t(rows)},
+            {"most", found.most}};
+}
+
 class DiffCommand final : public Command {
     Manual manual() const override {
         return {
             .name = "diff",
             .usage = "A B [-o FILE] [--seconds S] [--json]",
-            .about = "runs two scenes, snapshots or recordings side by side and tells where they part",
+            .about = "compares two scenes, snapshots, recordings or traces and tells where they part",
             .details = "The first step after which any number of the two states differs is told, with the first field\n"
                        "and row that does, both values, and how much the field differs at most. Two snapshots are\n"
                        "compared as they are, and go on for --seconds if it is given; recordings are played to the\n"
-                       "end of the shorter one. Exit code 0 if they are equal to the last bit, 1 if not.\n"
+                       "end of the shorter one. Traces (run --trace) are compared row by row. Exit code 0 if they are "
+                       "equal to the last bit, 1 if not.\n"
                        "The picture of -o has both beside each other after that step, and a ring around the\n"
                        "particle; with --later S the runs go on before it is drawn, until the difference is seen.\n",
             .examples = "sinew diff before.sinew after.sinew\n"
                         "sinew diff monday.rec tuesday.rec --json | jq .field\n"
+                        "sinew diff here.csv there.csv\n"
                         "sinew diff old/ragdoll.json ragdoll.json --seconds 2\n"
                         "sinew diff old/ragdoll.json ragdoll.json -o parted.png --later 2\n",
         };
@@ -148,6 +168,7 @@ class DiffCommand final : public Command {
         if (picture.empty() && later) usage_error("--later is of a picture", "sinew diff A B -o parted.png --later 2");
         if (!picture.empty()) settle(canvas::check(picture, {}));
         canvas::catch_interrupts();
+        if (is_trace_file(words.plain[0]) && is_trace_file(words.plain[1])) return compare_traces();
         Runner a(words.plain[0]), b(words.plain[1]);
         std::uint64_t taken = 0;
         const auto found = first_difference(a, b, steps_of(a, b), taken);
@@ -156,6 +177,19 @@ class DiffCommand final : public Command {
         else
             print(found ? text_of(*found) : fmt::format("the same, to the last bit, for {} steps\n", taken));
         if (found && !picture.empty()) draw_parted(a, b, *found);
+        return found ? bad_input : done;
+    }
+
+    int compare_traces() const {
+        if (!picture.empty() || seconds)
+            usage_error("--output and --seconds are for what can be run, not for traces", "sinew diff A B");
+        std::size_t rows = 0;
+        const auto found = trace_difference(words.plain[0], words.plain[1], rows);
+        if (as_json)
+            print(to_line(found ? json_of(*found, rows)
+                                : json::Object{{"compared", std::uint64_t(rows)}, {"same", true}}));
+        else
+            print(found ? text_of(*found, rows) : fmt::format("the same, to the last digit, in {} rows\n", rows));
         return found ? bad_input : done;
     }
 

@@ -132,6 +132,15 @@ TEST(Diff, TellsTheFirstStepAndField) {
     EXPECT_EQ(sinew({"diff", one, other, "-o", picture, "--later", "0.1"}).code, 1);
     EXPECT_EQ(bytes_of(picture).substr(1, 3), "PNG");
     EXPECT_EQ(sinew({"diff", one}).code, 2);
+    for (const std::string ending : {".csv", ".jsonl"}) {
+        const auto here = scratch("here" + ending), there = scratch("there" + ending);
+        sinew({"run", one, "--trace", here, "--seconds", "0.1"});
+        sinew({"run", other, "--trace", there, "--seconds", "0.1"});
+        EXPECT_EQ(sinew({"diff", here, here}).code, 0);
+        const auto parted = sinew({"diff", here, there, "--json"});
+        EXPECT_EQ(parted.code, 1) << parted.err;
+        EXPECT_EQ(json::parse(parted.last_line())["row"], "at 0 (f/b)");
+    }
 }
 
 } // namespace
