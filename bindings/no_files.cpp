@@ -1,5 +1,7 @@
-// Files of the player (player/files.h) and of pictures (canvas/) where there are none: on a page, and in the C face.
+// Files of the player (player/files.h), of exports (files/out/) and of pictures (canvas/) where there are none: on a
+// page, and in the C face.
 #include "canvas/formats.h"
+#include "files/out/export_formats.h"
 #include "player/files.h"
 
 namespace sinew {
@@ -42,6 +44,22 @@ std::string full_path(const std::filesystem::path& path) {
 }
 
 } // namespace play
+
+namespace files {
+
+Failure write_file(const std::filesystem::path&, std::string_view) {
+    return no_files;
+}
+
+std::unique_ptr<Exporter> open_alpha_film(const ExportRequest&) {
+    return nullptr;
+}
+
+std::unique_ptr<Exporter> open_pictures(const ExportRequest&) {
+    return nullptr;
+}
+
+} // namespace files
 
 namespace canvas {
 

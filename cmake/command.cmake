@@ -1,8 +1,8 @@
 # The command, and what it is made of beside the painters: the player, its window, and the benchmarks.
 
 # --- other programs' files, in and out --------------------------------------------------------------------------
-sinew_sources(files)
-add_library(sinew_files STATIC ${sources} ${headers})
+sinew_sources(files/in)
+add_library(sinew_files STATIC ${sources} ${painted_files} $<TARGET_OBJECTS:sinew_export> ${headers})
 target_link_libraries(sinew_files PUBLIC canvas sinew PRIVATE fmt::fmt nlohmann_json::nlohmann_json
     PkgConfig::pugixml ZLIB::ZLIB)
 sinew_app(sinew_files)

@@ -94,7 +94,9 @@ class ExportCommand final : public Command {
         declare_text(parser, "--background", background, "COLOR", "of a picture; none: transparent");
         declare_text(parser, "--follow", follow, "FIGURE", "of a picture: keeps the figure in its middle");
         declare_text(parser, "--caption", caption, "TEXT", "of a picture: a line at the bottom");
-        declare_number(parser, "--error", tolerance, {0, 100}, "PX", "by which moving vectors may be off; else 0.25");
+        declare_number(
+            parser, "--error", tolerance, {0, 1000}, "E",
+            "by which points may be off between keys: pixels of vectors, else 0.25; mm of a .glb, else 0.01");
     }
 
     int run() override {

@@ -1,8 +1,10 @@
+#include "sinew/math/format.h"
+
 #include "files/out/export_formats.h"
 #include "files/out/vector_film.h"
 
-#include <fmt/format.h>
-#include <iterator>
+#include <algorithm>
+#include <cmath>
 
 /// One SVG that moves by itself (SMIL), in a loop: browsers play it in a page and in an <img>.
 namespace sinew::files {
@@ -10,10 +12,11 @@ namespace {
 
 /// Hundredths of a pixel, without zeros at the end.
 std::string number(float value) {
-    auto text = fmt::format("{:.2f}", value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text == "-0" ? "0" : text;
+    const long hundredths = std::lround(double(value) * 100), size = std::abs(hundredths);
+    auto text = (hundredths < 0 ? "-" : "") + std::to_string(size / 100);
+    if (size % 100 > 0) text += '.', text += char('0' + size % 100 / 10);
+    if (size % 10 > 0) text += char('0' + size % 10);
+    return text;
 }
 
 int channel(float share) {
@@ -21,7 +24,11 @@ int channel(float share) {
 }
 
 std::string color_text(const float* rgb) {
-    return fmt::format("#{:02x}{:02x}{:02x}", channel(rgb[0]), channel(rgb[1]), channel(rgb[2]));
+    constexpr const char* digits = "0123456789abcdef";
+    std::string text = "#";
+    for (int i = 0; i < 3; ++i)
+        for (const int shift : {4, 0}) text += digits[channel(rgb[i]) >> shift & 15];
+    return text;
 }
 
 std::string escaped(const std::string& text) {
@@ -43,10 +50,10 @@ class SvgText {
 
     std::string text() {
         const auto& b = film_.background;
-        put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+        put("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" height=\"{}\" "
             "stroke-linecap=\"round\" stroke-linejoin=\"round\" fill-rule=\"evenodd\" "
             "font-family=\"sans-serif\" text-anchor=\"middle\">\n",
-            film_.size[0], film_.size[1]);
+            film_.size[0], film_.size[1], film_.size[0], film_.size[1]);
         const float rgb[] = {b.red, b.green, b.blue};
         if (b.alpha > 0)
             put("<rect width=\"100%\" height=\"100%\" fill=\"{}\"{}/>\n", color_text(rgb), opacity("fill", b.alpha));
@@ -55,12 +62,12 @@ class SvgText {
     }
 
   private:
-    template <class... Arguments> void put(fmt::format_string<Arguments...> form, Arguments&&... arguments) {
-        fmt::format_to(std::back_inserter(text_), form, std::forward<Arguments>(arguments)...);
+    template <class... Part> void put(detail::Format<std::type_identity_t<Part>...> form, const Part&... part) {
+        text_ += format_text<Part...>(form, part...);
     }
 
     static std::string opacity(const char* what, float alpha) {
-        return alpha < 1 ? fmt::format(" {}-opacity=\"{}\"", what, number(alpha)) : "";
+        return alpha < 1 ? format_text(" {}-opacity=\"{}\"", what, number(alpha)) : "";
     }
 
     using Value = std::string (*)(const Track&, std::size_t frame);
@@ -126,7 +133,7 @@ class SvgText {
         const auto first = value(track, keys[0]);
         const auto add_key = [&](double time, const std::string& text) {
             if (!times.empty()) times += ';', values += ';';
-            times += fmt::format("{:.5g}", time), values += text;
+            times += format_text("{:5}", time), values += text;
             varies |= text != first;
         };
         if (track.first > 0) add_key(0, first);
@@ -141,13 +148,13 @@ class SvgText {
         const bool begins = track.first == 0, ends = track.end() == film_.recorder.frames();
         if (begins && ends) return {};
         std::string values = begins ? "visible" : "hidden;visible", times = begins ? "0" : "0;";
-        if (!begins) times += fmt::format("{:.5g}", share(track, 0));
-        if (!ends) values += ";hidden", times += fmt::format(";{:.5g}", share(track, track.frames()));
+        if (!begins) times += format_text("{:5}", share(track, 0));
+        if (!ends) values += ";hidden", times += format_text(";{:5}", share(track, track.frames()));
         return animate("visibility", values, times, true);
     }
 
     std::string animate(const char* name, const std::string& values, const std::string& times, bool steps) const {
-        return fmt::format("<animate attributeName=\"{}\" dur=\"{:.6g}s\" repeatCount=\"indefinite\" {}keyTimes=\"{}\" "
+        return format_text("<animate attributeName=\"{}\" dur=\"{:6}s\" repeatCount=\"indefinite\" {}keyTimes=\"{}\" "
                            "values=\"{}\"/>",
                            name, frames_ / film_.fps, steps ? "calcMode=\"discrete\" " : "", times, values);
     }

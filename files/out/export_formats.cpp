@@ -1,6 +1,5 @@
 #include "files/out/export_formats.h"
 
-#include "canvas/formats.h"
 #include "files/out/frame_name.h"
 
 #include <algorithm>
@@ -11,20 +10,28 @@ namespace {
 
 using enum FramesPerFile;
 
-constexpr std::array<ExportFormat, 12> list{{
-    {"glb", ".glb", all, 30, "glTF 2.0: nodes and meshes that move: Blender, three.js, engines", open_glb},
-    {"pc2", ".pc2", all, 24, "a point cache, and its mesh (.obj): Blender, 3ds Max", open_pc2},
-    {"mdd", ".mdd", all, 24, "a point cache, and its mesh (.obj): Blender, Maya, Houdini", open_mdd},
-    {"obj", ".obj", one, 24, "a mesh with lines, and its colours (.mtl)", open_obj},
-    {"ply", ".ply", one, 24, "a mesh with lines and points, coloured", open_ply},
-    {"svg", ".svg", all, 30, "vectors that move (SMIL), in a loop: browsers", open_animated_svg},
-    {"svg", ".svg", one, 30, "vectors", open_pictures},
-    {"lottie", ".json", all, 30, "Lottie: vectors that move: web pages, apps", open_lottie},
-    {"png", ".png", one, 30, "a picture; --background none: transparent", open_pictures},
-    {"apng", ".apng", all, 30, "a looping film that may be transparent", open_alpha_film},
-    {"webm", ".webm", all, 30, "a film that may be transparent (VP9): browsers", open_alpha_film},
-    {"mov", ".mov", all, 30, "a film that may be transparent (ProRes 4444): editors", open_alpha_film},
+constexpr std::array<ExportFormat, 13> list{{
+    {"glb", ".glb", all, false, 30, "glTF 2.0: nodes and meshes that move: Blender, three.js, engines", open_glb},
+    {"pc2", ".pc2", all, false, 24, "a point cache, and its mesh (.obj): Blender, 3ds Max", open_pc2},
+    {"mdd", ".mdd", all, false, 24, "a point cache, and its mesh (.obj): Blender, Maya, Houdini", open_mdd},
+    {"obj", ".obj", one, false, 24, "a mesh with lines, and its colours (.mtl)", open_obj},
+    {"ply", ".ply", one, false, 24, "a mesh with lines and points, coloured", open_ply},
+    {"svg", ".svg", all, false, 30, "vectors that move (SMIL), in a loop: browsers", open_animated_svg},
+    {"svg", ".svg", one, true, 30, "vectors", open_pictures},
+    {"lottie", ".json", all, false, 30, "Lottie: vectors that move: web pages, apps", open_lottie},
+    {"png", ".png", one, true, 30, "a picture; --background none: transparent", open_pictures},
+    {"jpeg", ".jpg", one, true, 30, "a picture, lossy and never transparent", open_pictures},
+    {"apng", ".apng", all, true, 30, "a looping film that may be transparent", open_alpha_film},
+    {"webm", ".webm", all, true, 30, "a film that may be transparent (VP9): browsers", open_alpha_film},
+    {"mov", ".mov", all, true, 30, "a film that may be transparent (ProRes 4444): editors", open_alpha_film},
 }};
+
+std::string ending_of(const std::filesystem::path& path) {
+    auto ending = path.extension().string();
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return ending;
+}
 
 } // namespace
 
@@ -33,7 +40,7 @@ std::span<const ExportFormat> export_formats() {
 }
 
 const ExportFormat* export_format_of(const std::filesystem::path& path, std::string_view name) {
-    const auto ending = canvas::extension_of(path);
+    const auto ending = ending_of(path);
     const auto preferred = has_frame_number(path) ? one : all;
     const ExportFormat* found = nullptr;
     for (const auto& format : list)

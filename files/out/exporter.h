@@ -7,14 +7,22 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sinew::files {
 
 using canvas::Failure;
+
+/// Receiver of finished files.
+using TakeFile = std::function<Failure(const std::filesystem::path& path, std::string_view bytes)>;
+
+/// Writes a file to disk, complete or not at all; replaces an existing one.
+[[nodiscard]] Failure write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// Wishes for a file, whatever its format.
 struct ExportRequest {
@@ -25,8 +33,15 @@ struct ExportRequest {
     std::optional<Color> background{};  ///< of pictures; nothing: the scene's
     std::string follow{};               ///< figure in the middle of pictures; empty: the scene's view
     std::string caption{};              ///< line of text at the bottom of pictures; empty: none
-    std::optional<double> tolerance{};  ///< pixels by which simplified vectors may be off; nothing: the format's own
+    /// By which a motion may be off between its keys: pixels of vectors, millimetres of models; nothing: the format's.
+    std::optional<double> tolerance{};
+    TakeFile take = write_file; ///< of models and vectors; pictures and films are written to disk
 };
+
+/// Names of the figures that a request asks for.
+std::vector<std::string> figures_named(const ExportRequest& request);
+/// True if a figure of the session has this name.
+bool has_figure(const Session& session, const std::string& name);
 
 /// An export under way. Files appear complete under their final names or not at all; failures are worded for whoever
 /// asked for the file.

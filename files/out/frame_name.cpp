@@ -1,6 +1,5 @@
 #include "files/out/frame_name.h"
 
-#include <fmt/format.h>
 #include <string>
 #include <string_view>
 
@@ -59,7 +58,7 @@ canvas::Failure frame_number_problem(const std::filesystem::path& path) {
     const auto name = path.filename().string();
     const auto place = place_in(name);
     if (place.found() && place_in(std::string_view(name).substr(place.end)).found())
-        return fmt::format("{} has two places for the number of a frame", path.string());
+        return path.string() + " has two places for the number of a frame";
     return {};
 }
 

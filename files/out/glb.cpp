@@ -1,10 +1,13 @@
+#include "sinew/math/format.h"
+
 #include "files/out/export_formats.h"
 #include "files/out/glb_scene.h"
 #include "files/out/mesh_film.h"
-#include "files/out/output_file.h"
 
 namespace sinew::files {
 namespace {
+
+constexpr double usual_error = 0.01; // millimetres: each frame is what was simulated
 
 class GlbExporter final : public Exporter {
   public:
@@ -17,10 +20,12 @@ class GlbExporter final : public Exporter {
     }
 
     Failure finish() override {
+        const double tolerance = request_.tolerance.value_or(usual_error) / 1000;
         std::string bytes;
-        if (auto failure = glb_of(film_, request_.fps, bytes, notes_)) return failure;
+        if (auto failure = glb_of(film_, {request_.fps, tolerance}, bytes, notes_)) return failure;
+        notes_.push_back(format_text("points are at most {:6} mm off between keys", tolerance * 1000));
         written_ = {request_.path};
-        return write_file(request_.path, bytes);
+        return request_.take(request_.path, bytes);
     }
 
   private:

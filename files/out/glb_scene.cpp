@@ -1,13 +1,14 @@
 #include "files/out/glb_scene.h"
 
-#include "sinew/collide/decompose.h"
+#include "sinew/math/format.h"
+#include "sinew/scene/text.h"
 
-#include "files/out/gltf_document.h"
+#include "files/out/face_mesh.h"
+#include "files/out/node_motion.h"
 #include "files/out/rigid_fit.h"
 #include "files/out/solids.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <map>
 #include <tuple>
 
@@ -20,76 +21,11 @@ constexpr double rigid_tolerance = 1e-3;
 constexpr std::size_t max_nodes = 20'000, max_bytes = std::size_t(1) << 30;
 
 using Elements = std::span<const MeshElement>;
-using Indices = std::vector<std::uint32_t>;
-
-/// Translations, rotations and scales of a node: of all frames, or of the one that it keeps.
-struct NodeMotion {
-    std::vector<Vec3<double>> translation, scale;
-    std::vector<Vec<4, double>> rotation;
-};
-
-template <class VecT> std::vector<float> numbers_of(const std::vector<VecT>& vectors) {
-    std::vector<float> numbers;
-    for (const auto& v : vectors)
-        for (const double c : v.component) numbers.push_back(float(c));
-    return numbers;
-}
-
-template <class VecT> bool varies(const std::vector<VecT>& vectors) {
-    constexpr double least = 1e-7; // metres, or a part of a quaternion
-    return std::ranges::any_of(vectors, [&](const VecT& v) { return norm(v - vectors.front()) > least; });
-}
-
-Indices vertices_of(const MeshFilm& film, Elements elements) {
-    Indices vertices;
-    for (const auto& element : elements) {
-        const auto corners = film.form().corners_of(element);
-        vertices.insert(vertices.end(), corners.begin(), corners.end());
-    }
-    std::ranges::sort(vertices);
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
-}
-
-/// Corners of a polygon's triangles: of a plane one, which may be concave, by its convex parts.
-void add_triangles(std::span<const std::uint32_t> corners, const MeshFilm& film, Indices& triangles) {
-    const auto fan = [&](std::span<const std::uint32_t> part) {
-        for (std::size_t i = 2; i < part.size(); ++i)
-            for (const auto corner : {part[0], part[i - 1], part[i]}) triangles.push_back(corner);
-    };
-    std::vector<Vec2<double>> outline;
-    for (const auto i : corners) outline.push_back({{film.position(0, i)[0], film.position(0, i)[1]}});
-    const auto parts =
-        film.form().flat && corners.size() > 3 ? collide::convex_parts(outline) : std::vector<collide::Corners>{};
-    if (parts.empty()) return fan(corners);
-    for (const auto& part : parts) {
-        Indices known;
-        for (const auto& p : part)
-            known.push_back(corners[std::size_t(std::ranges::find(outline, p) - outline.begin())]);
-        fan(known);
-    }
-}
-
-/// Normals of vertices: area-weighted means of the triangles around.
-std::vector<Vec3<float>> normals_of(std::span<const Vec3<float>> positions, std::span<const std::uint32_t> triangles) {
-    std::vector<Vec3<float>> normals(positions.size());
-    for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
-        const auto &a = positions[triangles[i]], &b = positions[triangles[i + 1]], &c = positions[triangles[i + 2]];
-        for (std::size_t k = 0; k < 3; ++k) normals[triangles[i + k]] += cross(b - a, c - a);
-    }
-    for (auto& normal : normals) {
-        normal = direction(normal);
-        if (normal == Vec3<float>{}) normal = {{0, 0, 1}};
-    }
-    return normals;
-}
 
 class SceneWriter {
   public:
-    SceneWriter(const MeshFilm& film, double fps, std::vector<std::string>& notes) : film_(film), notes_(notes) {
-        std::vector<float> times;
-        for (std::size_t frame = 0; frame < film.frames(); ++frame) times.push_back(float(double(frame) / fps));
-        document_.set_times(times);
+    SceneWriter(const MeshFilm& film, const GlbTiming& timing, std::vector<std::string>& notes)
+        : film_(film), tolerance_(timing.tolerance), notes_(notes), document_(timing.fps) {
         for (const auto& group : form().groups)
             materials_.push_back(document_.add_material(group.figure + "/" + group.part, group.color));
     }
@@ -119,10 +55,7 @@ class SceneWriter {
         rigid_ = rolls(elements) ? std::nullopt : rigid_motion(film_, vertices, rigid_tolerance);
         figure_ = add_node(name_of(elements[0]), -1);
         parts_.clear(), largest_ball_ = 0, first_group_ = elements[0].group;
-        if (rigid_) {
-            set_rigid(figure_, *rigid_);
-            tell_rigid(name_of(elements[0]), rigid_->error);
-        }
+        if (rigid_) set_rigid(figure_, vertices, *rigid_, name_of(elements[0]));
         std::vector<MeshElement> faces;
         for (const auto& element : elements) {
             if (element.kind == ElementKind::face) faces.push_back(element);
@@ -133,7 +66,7 @@ class SceneWriter {
             if (element.kind == ElementKind::ball) add_ball(element);
             if (element.kind == ElementKind::line || element.kind == ElementKind::ring) add_line(element);
             if (nodes_ > max_nodes)
-                return fmt::format("{} has more than {} nodes; choose figures with --of", "the .glb", max_nodes);
+                return concat("the .glb has more than ", max_nodes, " nodes; choose figures with --of");
         }
         return {};
     }
@@ -141,10 +74,6 @@ class SceneWriter {
     bool rolls(Elements elements) const {
         return !form().turns.empty() &&
                std::ranges::any_of(elements, [](const auto& element) { return element.kind == ElementKind::ball; });
-    }
-
-    void tell_rigid(const std::string& what, double error) {
-        if (error > 1e-5) notes_.push_back(fmt::format("{} is a rigid node, at most {:.2g} m off", what, error));
     }
 
     int add_node(const std::string& name, int parent, int mesh = -1) {
@@ -155,17 +84,16 @@ class SceneWriter {
     /// "curtain/ring_3": the figure, the part, and which of its kind.
     std::string part_name(const MeshElement& element) {
         const auto& group = form().group_of(element);
-        return fmt::format("{}/{}_{}", group.figure, group.part, parts_[group.part]++);
+        return concat(group.figure, "/", group.part, "_", parts_[group.part]++);
     }
 
-    void set_rigid(int node, const RigidMotion& motion) { set_motion(node, {motion.center, {}, motion.rotation}); }
-
-    void set_motion(int node, const NodeMotion& motion) {
-        document_.place(node, motion.translation[0], motion.rotation[0],
-                        motion.scale.empty() ? Vec3<double>{{1, 1, 1}} : motion.scale[0]);
-        if (varies(motion.translation)) document_.animate(node, "translation", numbers_of(motion.translation));
-        if (varies(motion.rotation)) document_.animate(node, "rotation", numbers_of(motion.rotation));
-        if (!motion.scale.empty() && varies(motion.scale)) document_.animate(node, "scale", numbers_of(motion.scale));
+    void set_rigid(int node, std::span<const std::uint32_t> vertices, const RigidMotion& motion,
+                   const std::string& what) {
+        double reach = 0;
+        for (const auto i : vertices) reach = max(reach, norm(film_.position(0, i) - motion.center[0]));
+        animate(document_, node, {motion.center, {}, motion.rotation}, tolerance_, reach);
+        if (motion.error > 1e-5)
+            notes_.push_back(format_text("{} is a rigid node, at most {:2} m off", what, motion.error));
     }
 
     /// The mesh of rods, rings or balls of these measures in millionths of a metre, made once.
@@ -195,7 +123,7 @@ class SceneWriter {
             motion.translation.push_back(position(frame, vertex));
             motion.rotation.push_back(frame == 0 ? turn : nearest_sign(turn, motion.rotation.back()));
         }
-        set_motion(add_node(part_name(ball), figure_, mesh), motion);
+        animate(document_, add_node(part_name(ball), figure_, mesh), motion, tolerance_, radius);
     }
 
     void add_line(const MeshElement& line) {
@@ -227,80 +155,50 @@ class SceneWriter {
             motion.scale.push_back({{1, norm(along) / length, 1}});
             before = now;
         }
-        set_motion(add_node(part_name(line), figure_, mesh), motion);
+        animate(document_, add_node(part_name(line), figure_, mesh), motion, tolerance_, length);
     }
 
-    /// All faces of a figure as one mesh.
+    /// All faces of a figure as one mesh: rigid, or with a target for each key.
     Failure add_faces(Elements faces) {
         if (faces.empty()) return {};
-        const auto vertices = vertices_of(film_, faces);
-        std::vector<GltfDocument::Part> parts;
-        Indices triangles;
-        for (const auto& face : faces) {
-            Indices corners;
-            add_triangles(form().corners_of(face), film_, corners);
-            for (auto& corner : corners)
-                corner = std::uint32_t(std::ranges::lower_bound(vertices, corner) - vertices.begin());
-            triangles.insert(triangles.end(), corners.begin(), corners.end());
-            if (parts.empty() || parts.back().material != materials_[face.group])
-                parts.push_back({materials_[face.group], {}});
-            parts.back().indices.insert(parts.back().indices.end(), corners.begin(), corners.end());
+        const auto mesh = face_mesh(film_, faces, materials_);
+        const auto& group = form().group_of(faces[0]);
+        const auto called = concat(group.figure, "/", group.part);
+        const auto motion = rigid_ ? std::nullopt : rigid_motion(film_, mesh.vertices, rigid_tolerance);
+        if (rigid_ || motion) {
+            const auto about = rigid_ ? rigid_->center[0] : motion->center[0];
+            const int node =
+                add_node(called, figure_, document_.add_mesh(called, posed(mesh, film_, 0, about), mesh.parts));
+            if (motion) set_rigid(node, mesh.vertices, *motion, called);
+            return {};
         }
-        const auto& name = form().group_of(faces[0]);
-        const auto called = fmt::format("{}/{}", name.figure, name.part);
-        if (!rigid_)
-            if (const auto motion = rigid_motion(film_, vertices, rigid_tolerance)) {
-                tell_rigid(called, motion->error);
-                const auto mesh = posed(vertices, triangles, 0, motion->center[0]);
-                set_rigid(add_node(called, figure_, document_.add_mesh(called, mesh, parts)), *motion);
-                return {};
-            }
-        return add_morphed(called, vertices, triangles, parts);
+        return add_morphed(called, mesh);
     }
 
-    /// Vertices in a frame, about a point.
-    TriangleMesh posed(const Indices& vertices, const Indices& triangles, std::size_t frame,
-                       const Vec3<double>& about = {}) const {
-        TriangleMesh mesh;
-        for (const auto i : vertices) mesh.positions.push_back(cast<float>(position(frame, i) - about));
-        mesh.normals = normals_of(mesh.positions, triangles);
-        return mesh;
-    }
-
-    Failure add_morphed(const std::string& called, const Indices& vertices, const Indices& triangles,
-                        const std::vector<GltfDocument::Part>& parts) {
-        if (document_.bytes() + frames() * vertices.size() * sizeof(float) * 6 + 4 * frames() * frames() > max_bytes)
-            return fmt::format(
-                "{} frames of {} vertices are too much for a .glb, which has at most {} MB; a .pc2 takes "
-                "them",
-                frames(), vertices.size(), max_bytes >> 20);
-        const auto first = posed(vertices, triangles, 0);
+    Failure add_morphed(const std::string& called, const FaceMesh& mesh) {
+        const auto keys = keys_of(mesh, film_, tolerance_);
+        if (document_.bytes() + keys.size() * mesh.vertices.size() * sizeof(float) * 6 > max_bytes)
+            return format_text("{} keys of {} vertices are too much for a .glb, which has at most {} MB; a .pc2 takes "
+                               "them, or allow a larger --error",
+                               keys.size(), mesh.vertices.size(), max_bytes >> 20);
+        const auto first = posed(mesh, film_, 0);
         std::vector<GltfDocument::Target> targets;
-        bool moves = false;
-        for (std::size_t frame = 1; frame < frames(); ++frame) {
-            const auto now = posed(vertices, triangles, frame);
+        for (const auto key : std::span(keys).subspan(1)) {
+            const auto now = posed(mesh, film_, key);
             GltfDocument::Target target;
-            for (std::size_t i = 0; i < vertices.size(); ++i) {
+            for (std::size_t i = 0; i < now.positions.size(); ++i) {
                 target.positions.push_back(now.positions[i] - first.positions[i]);
                 target.normals.push_back(now.normals[i] - first.normals[i]);
-                moves |= target.positions.back() != Vec3<float>{};
             }
             targets.push_back(std::move(target));
         }
-        if (!moves) targets.clear();
-        const int node = add_node(called, figure_, document_.add_mesh(called, first, parts, targets));
-        if (!targets.empty()) document_.animate(node, "weights", one_at_a_time(targets.size()));
+        const int node = add_node(called, figure_, document_.add_mesh(called, first, mesh.parts, targets));
+        if (!targets.empty()) document_.animate_targets(node, keys);
         return {};
     }
 
-    /// Weights at frame i: target i is on, the others off; the first frame is the mesh itself.
-    static std::vector<float> one_at_a_time(std::size_t targets) {
-        std::vector<float> weights((targets + 1) * targets);
-        for (std::size_t frame = 1; frame <= targets; ++frame) weights[frame * targets + frame - 1] = 1;
-        return weights;
-    }
-
     const MeshFilm& film_;
+    const double tolerance_; ///< metres
     std::vector<std::string>& notes_;
     GltfDocument document_;
     std::vector<int> materials_; ///< by group
@@ -317,8 +215,8 @@ class SceneWriter {
 
 } // namespace
 
-Failure glb_of(const MeshFilm& film, double fps, std::string& bytes, std::vector<std::string>& notes) {
-    return SceneWriter(film, fps, notes).write(bytes);
+Failure glb_of(const MeshFilm& film, const GlbTiming& timing, std::string& bytes, std::vector<std::string>& notes) {
+    return SceneWriter(film, timing, notes).write(bytes);
 }
 
 } // namespace sinew::files

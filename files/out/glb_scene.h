@@ -7,9 +7,15 @@
 
 namespace sinew::files {
 
+struct GlbTiming {
+    double fps = 30;
+    double tolerance = 0; ///< metres by which points may be off between keys
+};
+
 /// A film as a binary glTF. Figures that move as rigid bodies are nodes with what they are made of below; otherwise
-/// lines are rods, a node for each straight part, balls are nodes, and faces a mesh with a morph target a frame. The
-/// error of rigid nodes is told in `notes`.
-[[nodiscard]] Failure glb_of(const MeshFilm& film, double fps, std::string& bytes, std::vector<std::string>& notes);
+/// lines are rods, a node for each straight part, balls are nodes, and faces a mesh with a morph target for each key.
+/// The error of rigid nodes is told in `notes`.
+[[nodiscard]] Failure glb_of(const MeshFilm& film, const GlbTiming& timing, std::string& bytes,
+                             std::vector<std::string>& notes);
 
 } // namespace sinew::files

@@ -40,7 +40,7 @@ void put(std::string& bytes, std::uint32_t number) {
 
 } // namespace
 
-GltfDocument::GltfDocument() : root_(std::make_unique<Json>()) {
+GltfDocument::GltfDocument(double fps) : root_(std::make_unique<Json>()), fps_(fps) {
     auto& root = *root_;
     root["asset"] = {{"version", "2.0"}, {"generator", "Sinew"}};
     root["scene"] = 0;
@@ -97,16 +97,38 @@ void GltfDocument::place(int node, const Vec3<double>& translation, const Vec<4,
     json["scale"] = scale.component;
 }
 
-void GltfDocument::set_times(std::span<const float> seconds) {
-    times_ = add_accessor(seconds, 1, 0, true);
+int GltfDocument::times_of(const Frames& keys) {
+    const auto [found, is_new] = times_.try_emplace(keys, 0);
+    if (is_new) {
+        std::vector<float> seconds;
+        for (const auto key : keys) seconds.push_back(float(double(key) / fps_));
+        found->second = add_accessor(seconds, 1, 0, true);
+    }
+    return found->second;
 }
 
-void GltfDocument::animate(int node, const std::string& path, std::span<const float> numbers) {
-    const int components = path == "weights" ? 1 : path == "rotation" ? 4 : 3;
+void GltfDocument::add_channel(int node, const std::string& path, const Frames& keys, int output) {
     auto& animation = (*root_)["animations"][0];
-    const int output = add_accessor(numbers, components, 0, false);
-    const int sampler = last_of(animation["samplers"], {{"input", times_}, {"output", output}});
+    const int sampler = last_of(animation["samplers"], {{"input", times_of(keys)}, {"output", output}});
     animation["channels"].push_back({{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}});
+}
+
+void GltfDocument::animate(int node, const std::string& path, const Frames& keys, std::span<const float> numbers) {
+    add_channel(node, path, keys, add_accessor(numbers, path == "rotation" ? 4 : 3, 0, false));
+}
+
+void GltfDocument::animate_targets(int node, const Frames& keys) {
+    const std::size_t targets = keys.size() - 1;
+    std::vector<std::uint32_t> places;
+    for (std::size_t i = 0; i < targets; ++i) places.push_back(std::uint32_t((i + 1) * targets + i));
+    const std::vector<float> ones(targets, 1.0F);
+    const Json indices{{"bufferView", add_view(std::as_bytes(std::span(places)), 0)}, {"componentType", unsigned_type}};
+    const Json values{{"bufferView", add_view(std::as_bytes(std::span(ones)), 0)}};
+    const Json accessor{{"componentType", float_type},
+                        {"count", keys.size() * targets},
+                        {"type", "SCALAR"},
+                        {"sparse", {{"count", targets}, {"indices", indices}, {"values", values}}}};
+    add_channel(node, "weights", keys, last_of((*root_)["accessors"], accessor));
 }
 
 int GltfDocument::add_view(std::span<const std::byte> bytes, int target) {

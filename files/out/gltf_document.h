@@ -3,7 +3,9 @@
 #include "sinew/math/color.h"
 #include "sinew/math/vec.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -22,7 +24,8 @@ struct TriangleMesh {
 /// they add.
 class GltfDocument {
   public:
-    GltfDocument();
+    /// `fps`: frames per second of all animations.
+    explicit GltfDocument(double fps);
     GltfDocument(const GltfDocument&) = delete;
     GltfDocument& operator=(const GltfDocument&) = delete;
     ~GltfDocument();
@@ -45,17 +48,21 @@ class GltfDocument {
     int add_node(const std::string& name, int parent, int mesh = -1);
     void place(int node, const Vec3<double>& translation, const Vec<4, double>& rotation, const Vec3<double>& scale);
 
-    /// Moments of all animated values, seconds.
-    void set_times(std::span<const float> seconds);
-    /// Animates "translation", "rotation", "scale" or "weights" of a node: as many numbers for each moment as the path
-    /// has.
-    void animate(int node, const std::string& path, std::span<const float> numbers);
+    using Frames = std::vector<std::size_t>;
+    /// Animates "translation", "rotation" or "scale" of a node: as many numbers at each key as the path has.
+    void animate(int node, const std::string& path, const Frames& keys, std::span<const float> numbers);
+    /// Animates the weights of a node whose mesh has a target for each key but the first: one at a time. The weights
+    /// take room as the keys, not as their square: they are zeros but for a list of ones.
+    void animate_targets(int node, const Frames& keys);
 
     std::size_t bytes() const { return binary_.size(); }
     /// The finished file.
     std::string glb();
 
   private:
+    /// Accessor of the moments of keys, seconds; made once.
+    int times_of(const Frames& keys);
+    void add_channel(int node, const std::string& path, const Frames& keys, int output);
     int add_accessor(std::span<const float> numbers, int components, int target, bool bounds);
     int add_indices(std::span<const std::uint32_t> indices);
     int add_view(std::span<const std::byte> bytes, int target);
@@ -63,7 +70,8 @@ class GltfDocument {
 
     std::unique_ptr<nlohmann::json> root_;
     std::string binary_;
-    int times_ = -1; ///< accessor
+    const double fps_;
+    std::map<Frames, int> times_; ///< accessors
 };
 
 } // namespace sinew::files

@@ -1,9 +1,6 @@
 #include "files/out/export_formats.h"
 #include "files/out/frame_name.h"
 #include "files/out/obj_text.h"
-#include "files/out/output_file.h"
-
-#include <fmt/format.h>
 
 namespace sinew::files {
 namespace {
@@ -26,15 +23,15 @@ class ObjExporter final : public Exporter {
             return "the scene shows neither faces nor lines: an .obj would be empty";
         if (mesh.groups.size() > groups_.size()) groups_ = mesh.groups;
         const auto path = frame_path(request_.path, ++count_);
-        if (auto failure = write_file(path, obj_text(mesh, material_path(request_.path).filename().string())))
-            return failure;
+        const auto text = obj_text(mesh, material_path(request_.path).filename().string());
+        if (auto failure = request_.take(path, text)) return failure;
         written_.push_back(path);
         return {};
     }
 
     Failure finish() override {
         const auto path = material_path(request_.path);
-        if (auto failure = write_file(path, mtl_text(groups_))) return failure;
+        if (auto failure = request_.take(path, mtl_text(groups_))) return failure;
         written_.push_back(path);
         return {};
     }

@@ -1,9 +1,9 @@
+#include "sinew/math/format.h"
+
+#include "files/out/bytes.h"
 #include "files/out/export_formats.h"
 #include "files/out/frame_name.h"
-#include "files/out/output_file.h"
 #include "files/out/scene_mesh.h"
-
-#include <fmt/format.h>
 
 namespace sinew::files {
 namespace {
@@ -18,8 +18,8 @@ std::vector<Color> vertex_colors(const SceneMesh& mesh) {
     return colors;
 }
 
-std::byte byte_of(float share) {
-    return std::byte(int(share * 255 + 0.5F));
+char byte_of(float share) {
+    return char(int(share * 255 + 0.5F));
 }
 
 /// Binary PLY 1.0, lowest byte first (Turk 1994): vertices with colours, faces, edges.
@@ -32,40 +32,40 @@ class PlyText {
         }
     }
 
-    void write(OutputFile& file) const {
-        file.put(header());
+    std::string text() const {
+        auto file = header();
         const auto colors = vertex_colors(mesh_);
         for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
-            for (int axis = 0; axis < 3; ++axis) file.put_little(float(mesh_.vertices[i][axis]));
+            for (int axis = 0; axis < 3; ++axis) put_little(file, float(mesh_.vertices[i][axis]));
             const auto& c = colors[i];
-            const std::array bytes = {byte_of(c.red), byte_of(c.green), byte_of(c.blue), byte_of(c.alpha)};
-            file.put_bytes(bytes);
+            for (const float channel : {c.red, c.green, c.blue, c.alpha}) file += byte_of(channel);
         }
         for (const auto& element : mesh_.elements)
             if (element.kind == ElementKind::face) write_face(element, file);
         for (const auto& element : mesh_.elements)
             if (element.kind == ElementKind::line || element.kind == ElementKind::ring) write_edges(element, file);
+        return file;
     }
 
   private:
     std::string header() const {
         std::string text = "ply\nformat binary_little_endian 1.0\ncomment Sinew: metres, y upwards\n";
-        text += fmt::format("element vertex {}\nproperty float x\nproperty float y\nproperty float z\n",
+        text += format_text("element vertex {}\nproperty float x\nproperty float y\nproperty float z\n",
                             mesh_.vertices.size());
-        for (const auto* name : {"red", "green", "blue", "alpha"}) text += fmt::format("property uchar {}\n", name);
-        text += fmt::format("element face {}\nproperty list uint uint vertex_indices\n", faces_);
+        for (const auto* name : {"red", "green", "blue", "alpha"}) text += format_text("property uchar {}\n", name);
+        text += format_text("element face {}\nproperty list uint uint vertex_indices\n", faces_);
         return text +
-               fmt::format("element edge {}\nproperty uint vertex1\nproperty uint vertex2\nend_header\n", edges_);
+               format_text("element edge {}\nproperty uint vertex1\nproperty uint vertex2\nend_header\n", edges_);
     }
 
-    void write_face(const MeshElement& face, OutputFile& file) const {
-        file.put_little(face.count);
-        for (const auto corner : mesh_.corners_of(face)) file.put_little(corner);
+    void write_face(const MeshElement& face, std::string& file) const {
+        put_little(file, face.count);
+        for (const auto corner : mesh_.corners_of(face)) put_little(file, corner);
     }
-    void write_edges(const MeshElement& line, OutputFile& file) const {
+    void write_edges(const MeshElement& line, std::string& file) const {
         const auto corners = mesh_.corners_of(line);
         for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-            file.put_little(corners[i]), file.put_little(corners[i + 1]);
+            put_little(file, corners[i]), put_little(file, corners[i + 1]);
     }
 
     const SceneMesh& mesh_;
@@ -78,11 +78,9 @@ class PlyExporter final : public Exporter {
 
     Failure frame(const Session& session) override {
         const auto mesh = mesh_of(session, {.figures = request_.figures, .balls = true});
-        OutputFile file;
-        if (auto failure = file.create(frame_path(request_.path, ++count_))) return failure;
-        PlyText(mesh).write(file);
-        if (auto failure = file.commit()) return failure;
-        written_.push_back(file.path());
+        const auto path = frame_path(request_.path, ++count_);
+        if (auto failure = request_.take(path, PlyText(mesh).text())) return failure;
+        written_.push_back(path);
         return {};
     }
 

@@ -7,7 +7,8 @@
 namespace sinew::files {
 namespace {
 
-constexpr int sides = 12;
+/// Corners of a circle: of a thin rod, and of what is seen by itself.
+constexpr int rod_sides = 12, ball_sides = 32;
 
 /// A row of vertices around y: a circle of a surface of revolution.
 struct Circle {
@@ -28,7 +29,7 @@ void join_rows(TriangleMesh& mesh, std::uint32_t rows, std::uint32_t across) {
         }
 }
 
-TriangleMesh revolved(std::span<const Circle> circles) {
+TriangleMesh revolved(std::span<const Circle> circles, int sides) {
     TriangleMesh mesh;
     for (const auto& circle : circles)
         for (int i = 0; i <= sides; ++i) {
@@ -37,7 +38,7 @@ TriangleMesh revolved(std::span<const Circle> circles) {
             mesh.positions.push_back(narrow({{circle.radius * c, circle.height, circle.radius * s}}));
             mesh.normals.push_back(narrow({{flat * c, circle.up, flat * s}}));
         }
-    join_rows(mesh, std::uint32_t(circles.size()), sides + 1);
+    join_rows(mesh, std::uint32_t(circles.size()), std::uint32_t(sides + 1));
     return mesh;
 }
 
@@ -56,7 +57,7 @@ TriangleMesh rod(double length, double begin, double end) {
     std::vector<Circle> circles;
     add_dome(circles, 0, begin, -1, 0);
     add_dome(circles, length, end, 0, 1);
-    return revolved(circles);
+    return revolved(circles, rod_sides);
 }
 
 TriangleMesh sphere(double radius) {
@@ -64,7 +65,7 @@ TriangleMesh sphere(double radius) {
     add_dome(circles, 0, radius, -1, 0);
     circles.pop_back();
     add_dome(circles, 0, radius, 0, 1);
-    return revolved(circles);
+    return revolved(circles, ball_sides);
 }
 
 TriangleMesh disc(double radius, double half_height) {
@@ -74,7 +75,7 @@ TriangleMesh disc(double radius, double half_height) {
                                             {half_height, radius, 0},
                                             {half_height, radius, 1},
                                             {half_height, 0, 1}}};
-    auto mesh = revolved(circles);
+    auto mesh = revolved(circles, ball_sides);
     for (auto* column : {&mesh.positions, &mesh.normals})
         for (auto& v : *column) v = {{v[0], -v[2], v[1]}}; // the axis from y to z
     return mesh;

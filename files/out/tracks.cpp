@@ -1,10 +1,9 @@
 #include "files/out/tracks.h"
 
-#include "sinew/math/scalar.h"
+#include "files/out/linear_keys.h"
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 
 namespace sinew::files {
 namespace {
@@ -66,34 +65,9 @@ std::vector<std::size_t> keys_of(const Track& track, double tolerance, bool step
             if (!std::equal(track.at(i), track.at(i) + count, track.at(i - 1))) keys.push_back(i);
         return keys;
     }
-    // Slopes from the last key within which all frames since stay close enough.
-    std::vector<float> low, high;
-    const auto begin = [&] {
-        low.assign(count, -std::numeric_limits<float>::infinity());
-        high.assign(count, std::numeric_limits<float>::infinity());
-    };
-    begin();
-    for (std::size_t i = 1; i <= last; ++i) {
-        const auto reaches = [&] {
-            const float span = float(i - keys.back());
-            for (std::size_t k = 0; k < count; ++k) {
-                const float slope = (track.at(i)[k] - track.at(keys.back())[k]) / span;
-                if (!(slope >= low[k] && slope <= high[k])) return false;
-            }
-            return true;
-        };
-        if (i > keys.back() + 1 && !reaches()) keys.push_back(i - 1), begin();
-        const float span = float(i - keys.back());
-        for (std::size_t k = 0; k < count; ++k) {
-            const float rise = track.at(i)[k] - track.at(keys.back())[k];
-            const float off = k + 4 < count ? float(tolerance) : color_tolerance;
-            low[k] = max(low[k], (rise - off) / span), high[k] = min(high[k], (rise + off) / span);
-        }
-    }
-    if (last > 0) keys.push_back(last);
-    const bool is_still = keys.size() == 2 && std::equal(track.at(0), track.at(0) + count, track.at(last));
-    if (is_still) keys.pop_back();
-    return keys;
+    std::vector<float> tolerances(count, float(tolerance));
+    std::fill(tolerances.end() - 4, tolerances.end(), color_tolerance);
+    return linear_keys(track.numbers, tolerances);
 }
 
 void TrackRecorder::add(const Picture& picture) {

@@ -1,9 +1,8 @@
 #include "files/out/vector_film.h"
 
-#include "files/out/frame_picture.h"
-#include "files/out/output_file.h"
+#include "sinew/math/format.h"
 
-#include <fmt/format.h>
+#include "files/out/frame_picture.h"
 
 namespace sinew::files {
 namespace {
@@ -21,7 +20,7 @@ class VectorExporter final : public Exporter {
         recorder_.add(picture_);
         steps_ = session.scene().dimension == 3;
         if (recorder_.numbers() > max_numbers)
-            return fmt::format("{} frames of {} shapes are too many for moving vectors", recorder_.frames(),
+            return format_text("{} frames of {} shapes are too many for moving vectors", recorder_.frames(),
                                picture_.items.size());
         return {};
     }
@@ -31,9 +30,9 @@ class VectorExporter final : public Exporter {
         const auto text = write_({recorder_, picture_.background, request_.size, request_.fps, tolerance, steps_});
         if (recorder_.has_images()) notes_.emplace_back("images are drawn as their outlines in their mean colour");
         notes_.push_back(steps_ ? "3D: a picture a frame, without interpolation"
-                                : fmt::format("points are at most {:g} px off between keys", tolerance));
+                                : format_text("points are at most {:6} px off between keys", tolerance));
         written_ = {request_.path};
-        return write_file(request_.path, text);
+        return request_.take(request_.path, text);
     }
 
   private:
