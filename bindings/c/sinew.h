@@ -1,6 +1,6 @@
 /* The C face of Sinew, in C11: everything that a scene file can say, edits, grabs, cuts, events, queries, the state
  * hash and the picture as a display list. The WebAssembly module of web/sinew exports every function but those marked
- * SINEW_PROGRAM_API, which are for programs: worlds built by calls, user data, debug drawing, hooks.
+ * SINEW_PROGRAM_API, which are for programs: worlds built by calls, user data, debug drawing, export, hooks.
  *
  * Two objects, named by handles:
  *   sinew_simulation  a running scene without a pointer: open, step, read columns, edit, draw.
@@ -696,6 +696,39 @@ typedef struct sinew_debug_draw {
  * meshes and height fields are left out. */
 SINEW_PROGRAM_API sinew_status sinew_draw_debug(sinew_simulation simulation, const sinew_debug_draw* draw,
                                                 double extent);
+
+/* --- export: files of other programs, as bytes ------------------------------------------------------------------- */
+
+typedef struct sinew_export {
+    uint32_t id;
+} sinew_export;
+/* Wishes for a file. All zero but `struct_size` is a good start. */
+typedef struct sinew_export_spec {
+    uint32_t struct_size;
+    uint32_t figure_count;
+    const char* const* figures; /* of a model: names; none: all */
+    double fps;                 /* frames a second; 0: what is usual for the format */
+    double error;               /* by which points may be off between keys: pixels of vectors, millimetres of a .glb;
+                                   0: the format's own */
+    uint32_t width, height;     /* pixels of vectors; 0: as the scene asks for */
+    const char* background;     /* of vectors: "none", "#fa0"; null: the scene's */
+    const char* follow;         /* of vectors: figure to keep in the middle; null: the scene's view */
+    const char* caption;        /* of vectors: a line at the bottom; null: none */
+} sinew_export_spec;
+/* Begins a file. The ending of its name says the format: .glb, .pc2, .mdd, .obj, .ply, .svg or .json (Lottie). An .obj
+ * or .ply holds a frame; a sequence has a place for the number, "silk-%04d.obj". `spec` may be null. */
+SINEW_PROGRAM_API sinew_status sinew_export_begin(const char* name, const sinew_export_spec* spec,
+                                                  sinew_export* handle);
+/* Adds the present moment of a simulation as the next frame: always the same simulation. Frames are 1 / fps apart. */
+SINEW_PROGRAM_API sinew_status sinew_export_frame(sinew_export handle, sinew_simulation simulation);
+/* Completes the files, after one frame or more; `count` is their number: a point cache has its .obj and .mtl beside. */
+SINEW_PROGRAM_API sinew_status sinew_export_finish(sinew_export handle, uint32_t* count);
+/* Name and bytes of a finished file, valid until the export is closed. The caller writes them where it likes. */
+SINEW_PROGRAM_API sinew_status sinew_export_file(sinew_export handle, uint32_t index, const char** name,
+                                                 const uint8_t** bytes, size_t* size);
+/* A sentence about what the format could not take, or how exact the file is; SINEW_NOT_FOUND after the last. */
+SINEW_PROGRAM_API sinew_status sinew_export_note(sinew_export handle, uint32_t index, const char** note);
+SINEW_PROGRAM_API sinew_status sinew_export_close(sinew_export handle);
 
 /* --- hooks, set before any other thread calls the library -------------------------------------------------------- */
 

@@ -214,6 +214,52 @@ static void hooks_are_called(void) {
     sinew_set_parallel(NULL, NULL);
 }
 
+static uint32_t little(const uint8_t* bytes) {
+    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
+/* A point cache of a rope: a header of 32 bytes, then three floats a vertex and frame. */
+static void files_are_bytes(void) {
+    const sinew_simulation world = created();
+    const char* const names[] = {"line"};
+    sinew_export_spec spec = {.struct_size = sizeof spec, .figure_count = 1, .figures = names, .fps = 60};
+    sinew_export file;
+    uint32_t figure = 0, count = 0;
+    const char* name = NULL;
+    const uint8_t* bytes = NULL;
+    size_t size = 0;
+    CHECK(add_rope(world, "line", NULL, 0, &figure) == SINEW_OK);
+    CHECK(sinew_export_begin("out/line.pc2", &spec, &file) == SINEW_OK);
+    CHECK(sinew_export_finish(file, &count) == SINEW_BAD_ARGUMENT);
+    for (int frame = 0; frame < 5; ++frame) {
+        CHECK(sinew_export_frame(file, world) == SINEW_OK);
+        CHECK(sinew_step(world, 1) == SINEW_OK);
+    }
+    CHECK(sinew_export_file(file, 0, &name, &bytes, &size) == SINEW_NOT_FOUND);
+    CHECK(sinew_export_finish(file, &count) == SINEW_OK);
+    CHECK(count == 3);
+    for (uint32_t i = 0; i < count; ++i) {
+        CHECK(sinew_export_file(file, i, &name, &bytes, &size) == SINEW_OK);
+        if (strcmp(name, "out/line.pc2") == 0) CHECK(size == 32 + (size_t)little(bytes + 16) * 5 * 12);
+    }
+    CHECK(sinew_export_frame(file, world) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_export_close(file) == SINEW_OK);
+    CHECK(sinew_export_close(file) == SINEW_BAD_HANDLE);
+
+    const char* const wrong[] = {"a.png", "a.xyz", "", "a-%d-%d.obj", "a-%d.glb"};
+    for (int i = 0; i < 5; ++i) CHECK(sinew_export_begin(wrong[i], NULL, &file) == SINEW_BAD_ARGUMENT);
+    spec.fps = NAN;
+    CHECK(sinew_export_begin("a.glb", &spec, &file) == SINEW_BAD_ARGUMENT);
+    spec.fps = 0, spec.figures = NULL;
+    CHECK(sinew_export_begin("a.glb", &spec, &file) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_export_begin("a.svg", NULL, &file) == SINEW_OK);
+    CHECK(sinew_export_frame(file, world) == SINEW_OK);
+    CHECK(sinew_export_finish(file, &count) == SINEW_OK && count == 1);
+    CHECK(sinew_export_note(file, 0, &name) == SINEW_OK && strstr(name, "px") != NULL);
+    CHECK(sinew_export_close(file) == SINEW_OK);
+    CHECK(sinew_close(world) == SINEW_OK);
+}
+
 int main(void) {
     an_empty_world_falls();
     wrong_sizes_and_numbers_are_errors();
@@ -222,6 +268,7 @@ int main(void) {
     user_data_belongs_to_an_object();
     everything_is_drawn();
     hooks_are_called();
+    files_are_bytes();
     if (failures == 0) printf("all right\n");
     return failures != 0;
 }
