@@ -24,6 +24,7 @@ PYBIND11_MODULE(_core, module) {
     bind_search(type);
     bind_edit(type);
     bind_painting(module, type);
+    bind_exporting(module);
     bind_batch(module);
 }
 

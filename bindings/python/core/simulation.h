@@ -101,6 +101,7 @@ void bind_reading(py::module_& module, py::class_<Simulation, std::shared_ptr<Si
 void bind_search(py::class_<Simulation, std::shared_ptr<Simulation>>& type);
 void bind_edit(py::class_<Simulation, std::shared_ptr<Simulation>>& type);
 void bind_painting(py::module_& module, py::class_<Simulation, std::shared_ptr<Simulation>>& type);
+void bind_exporting(py::module_& module);
 void bind_batch(py::module_& module);
 
 } // namespace sinew::python

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from . import _core
 from .errors import ArgumentError
@@ -32,6 +32,31 @@ def film(simulation: Simulation, path: str | os.PathLike[str], seconds: float | 
             simulation.run_until(start + frame / rate)
         target.add(simulation._core, *view)
     target.finish()
+
+
+class Exported(NamedTuple):
+    """What an export has written, and what its format could not take."""
+
+    files: list[str]
+    notes: list[str]
+
+
+def export(simulation: Simulation, path: str, seconds: float | None, fps: float | None, figures: list[str],
+           size: tuple[int, int], words: tuple[str, str, str], error: float | None) -> Exported:
+    """One frame if the format, or the name without a number, holds one."""
+    target = _core.Export(os.fsencode(path), fps, figures, size, *words, error)
+    if not target.is_film and seconds is not None:
+        raise ArgumentError(f"{path} is one moment: a sequence has a number in its name, such as a-%04d.obj")
+    start, rate = simulation.seconds, target.fps
+    length = simulation.duration if seconds is None else seconds
+    if not (rate > 0 and 0 <= length <= 1e6):
+        raise ArgumentError(f"{length} seconds at {rate} a second are no film")
+    for frame in range(max(1, round(length * rate)) if target.is_film else 1):
+        if frame:
+            simulation.run_until(start + frame / rate)
+        target.add(simulation._core)
+    target.finish()
+    return Exported(target.written, target.notes)
 
 
 def frames(simulation: Simulation, folder: str | os.PathLike[str], seconds: float, fps: float, part: tuple[int, int],

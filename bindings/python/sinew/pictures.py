@@ -14,6 +14,7 @@ from .errors import ArgumentError
 from .state import State
 
 if TYPE_CHECKING:
+    from .films import Exported
     from .notebook import Animation
 
 
@@ -58,6 +59,22 @@ class Pictures(State):
         from .films import frames
 
         return frames(self._self, folder, seconds, fps, part, self._view(width, height, overlays))
+
+    def export(self, path: str | os.PathLike[str], seconds: float | None = None, fps: float | None = None,
+               figures: Sequence[str] = (), width: int | None = None, height: int | None = None, background: str = "",
+               follow: str = "", caption: str = "", error: float | None = None) -> Exported:
+        """Writes a file of another program, by its ending: .glb, .pc2, .mdd, .obj or .ply; moving .svg or Lottie's .json;
+        .png, .apng, .webm or .mov, transparent with ``background="none"``.
+
+        A film takes ``seconds`` (the scene's ``duration`` if left out), and the simulation is stepped by them; an .obj,
+        .ply or .png is the present moment, or a sequence with a number in its name: ``"silk-%04d.obj"``. ``figures`` are
+        those of a model. ``error`` is by how much points may be off between keys: pixels, in a .glb millimetres. The
+        result has the ``files`` and ``notes`` about what the format could not take.
+        """
+        from .films import export
+
+        return export(self._self, os.fspath(path), seconds, fps, list(figures), self._view(width, height)[:2],
+                      (background, follow, caption), error)
 
     def _view(self, width: int | None = None, height: int | None = None, overlays: Sequence[str] = ()) -> tuple[int, int, int]:
         """Sides in pixels and bits of overlays. One side without the other keeps the proportions."""
