@@ -51,6 +51,7 @@ void Play::open_now(const std::string& scene, std::vector<Override> overrides) {
             const auto bytes = std::as_bytes(std::span(*text));
             if (is_snapshot(bytes) || is_recording(bytes)) return open_running(scene);
             if (is_state(*text)) return open_state(scene);
+            if (open_converted(scene)) return;
         }
     auto fetched = library_.fetch(scene, overrides);
     if (!fetched.opened) return report_problem(std::move(fetched.problem));
@@ -60,6 +61,18 @@ void Play::open_now(const std::string& scene, std::vector<Override> overrides) {
     begin(std::move(fetched));
     if (is_file_name(scene)) note_recent(scene);
     tell("scene", {{"name", name_}});
+}
+
+/// Opens the scene made of another program's file; false if the file is none.
+bool Play::open_converted(const fs::path& file) {
+    if (!library_.convert) return false;
+    auto made = library_.convert(file);
+    if (!made.problem.empty()) return report_problem(std::move(made.problem)), true;
+    if (made.scene.empty()) return false;
+    open_now(made.scene.string(), {});
+    if (name_ == made.scene.string()) message = std::move(made.message);
+    tell("imported", {{"path", made.scene.string()}});
+    return true;
 }
 
 void Play::open_neighbour(int by) {

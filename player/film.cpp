@@ -7,7 +7,7 @@
 namespace sinew::play {
 
 Film::~Film() {
-    if (writer_) (void)writer_->finish();
+    if (recording()) (void)finish();
 }
 
 std::optional<std::string> Film::begin(std::filesystem::path path, int width, int height) {
@@ -20,15 +20,22 @@ std::optional<std::string> Film::begin(std::filesystem::path path, int width, in
     return std::nullopt;
 }
 
-std::optional<std::string> Film::finish() {
-    const auto writer = std::exchange(writer_, nullptr);
-    return writer->finish();
+void Film::begin(std::filesystem::path path, std::unique_ptr<files::Exporter> exporter) {
+    path_ = std::move(path);
+    exporter_ = std::move(exporter);
+    due_ = 0;
 }
 
-std::optional<std::string> Film::add(const Picture& picture) {
+std::optional<std::string> Film::finish() {
+    const auto writer = std::exchange(writer_, nullptr);
+    const auto exporter = std::exchange(exporter_, nullptr);
+    return exporter ? exporter->finish() : writer->finish();
+}
+
+std::optional<std::string> Film::add(const Session& session, const Picture& picture) {
     for (; wants_frame(); due_ += 1 / rate)
-        if (auto failure = writer_->frame(picture)) {
-            writer_.reset();
+        if (auto failure = exporter_ ? exporter_->frame(session) : writer_->frame(picture)) {
+            writer_.reset(), exporter_.reset();
             return failure;
         }
     return std::nullopt;

@@ -58,19 +58,36 @@ void Play::toggle_recording(std::filesystem::path path) {
     if (path.empty()) path = free_path("out/" + stem_of(name_) + ".mp4");
     const auto size =
         is_split() ? canvas::size_beside(panes_.size(), pane_width(0), height_) : canvas::BesideSize{width_, height_};
-    if (const auto failure = film_.begin(std::move(path), size.width, size.height)) return report_problem(*failure);
+    if (auto exporter = open_export(path, {size.width, size.height}, Film::rate)) {
+        film_.begin(std::move(path), std::move(exporter));
+    } else if (const auto failure = film_.begin(std::move(path), size.width, size.height)) {
+        return report_problem(*failure);
+    }
     message = "recording; V ends it";
     tell("recording", {{"path", film_.path().string()}});
+}
+
+/// An export of frames, or of a moment (0); null for a file of pictures.
+std::unique_ptr<files::Exporter> Play::open_export(const std::filesystem::path& path, std::array<int, 2> size,
+                                                   double fps) const {
+    return library_.open_export ? library_.open_export(path, size, fps) : nullptr;
+}
+
+canvas::Failure Play::take_picture(const std::filesystem::path& path, const Picture& picture) const {
+    if (const auto exporter = open_export(path, {picture.width, picture.height}, 0)) {
+        if (auto failure = exporter->frame(session())) return failure;
+        return exporter->finish();
+    }
+    auto opened = canvas::open(path, {.width = picture.width, .height = picture.height});
+    if (opened.failure) return opened.failure;
+    if (auto failure = opened.writer->frame(picture)) return failure;
+    return opened.writer->finish();
 }
 
 /// A recording ends when the size of the picture changes.
 void Play::take_pictures(const Picture& picture) {
     for (const auto& path : std::exchange(screenshots_, {})) {
-        auto opened = canvas::open(path, {.width = picture.width, .height = picture.height});
-        auto failure = opened.failure;
-        if (!failure) failure = opened.writer->frame(picture);
-        if (!failure) failure = opened.writer->finish();
-        if (failure) {
+        if (const auto failure = take_picture(path, picture)) {
             report_problem(*failure);
             continue;
         }
@@ -78,7 +95,7 @@ void Play::take_pictures(const Picture& picture) {
         tell("screenshot", {{"path", path.string()}});
     }
     if (film_.recording() && !film_.fits(picture)) toggle_recording();
-    if (const auto failure = film_.add(picture)) report_problem(*failure);
+    if (const auto failure = film_.add(session(), picture)) report_problem(*failure);
 }
 
 double Play::hint_strength() const {

@@ -201,6 +201,7 @@ class Play {
     void begin(Fetched fetched);
     void begin(std::vector<Pane> panes);
     void open_now(const std::string& scene, std::vector<Override> overrides);
+    bool open_converted(const std::filesystem::path& file);
     void open_state(const std::filesystem::path& path);
     void open_running(const std::filesystem::path& path);
     void begin_running(const std::filesystem::path& path, Timeline timeline, const std::string& from);
@@ -230,6 +231,9 @@ class Play {
     void label_pane(std::size_t number, Picture& picture) const;
     void lay_side_by_side(Picture& picture);
     void highlight(Picture& picture) const;
+    std::unique_ptr<files::Exporter> open_export(const std::filesystem::path& path, std::array<int, 2> size,
+                                                 double fps) const;
+    canvas::Failure take_picture(const std::filesystem::path& path, const Picture& picture) const;
     bool wants_pictures() const { return !screenshots_.empty() || film_.wants_frame(); }
     void take_pictures(const Picture& picture);
     Tool& current_tool();

@@ -3,12 +3,18 @@
 #include "sinew/scene/document.h"
 #include "sinew/scene/scene.h"
 
+#include <array>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+namespace sinew::files {
+class Exporter;
+}
 
 namespace sinew::play {
 
@@ -19,7 +25,14 @@ struct Fetched {
     std::filesystem::path path; ///< the scene's file, watched for changes; empty if none
 };
 
-/// The source of scenes.
+/// A scene file made of another program's file, or the reason why none was. Both empty: it is no such file.
+struct Converted {
+    std::filesystem::path scene;
+    std::string problem;
+    std::string message; ///< what the scene has, and what it could not take
+};
+
+/// The source of scenes, and other programs' files in and out.
 struct SceneLibrary {
     std::vector<std::string> names;      ///< scenes of the catalogue, in display order
     std::vector<std::string> categories; ///< category of each name; empty if unknown
@@ -27,6 +40,12 @@ struct SceneLibrary {
     /// Opens a scene from its text, called `name` in messages; paths of pictures and models are relative to the file
     /// `beside`, or to the current folder if empty.
     std::function<Fetched(const std::string& text, const std::string& name, const std::filesystem::path& beside)> read;
+    std::function<Converted(const std::filesystem::path& file)> convert{}; ///< empty: no file of another program
+    /// Begins an export of frames of that size, in pixels, and rate, or of a moment (0); null for an ending that is
+    /// none of an export's, and of pictures.
+    std::function<std::unique_ptr<files::Exporter>(const std::filesystem::path& path, std::array<int, 2> size,
+                                                   double fps)>
+        open_export{};
 };
 
 } // namespace sinew::play

@@ -3,11 +3,16 @@
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/imported_file.h"
 #include "apps/cli/index.h"
 #include "apps/cli/json_line.h"
 #include "apps/cli/scene_file.h"
 #include "apps/cli/stepping.h"
+#include "canvas/formats.h"
 #include "canvas/interrupt.h"
+#include "files/out/export_formats.h"
+#include "files/out/frame_name.h"
+#include "player/files.h"
 #include "player/keys.h"
 #include "player/script.h"
 #include "player/tool.h"
@@ -54,8 +59,37 @@ play::Fetched read(const std::string& text, const std::string& name, const std::
     }
 }
 
+/// Makes a scene in out/ of a drawing, a model, a map or a picture.
+play::Converted convert(const std::filesystem::path& path) {
+    try {
+        auto file = read_import(path);
+        if (!files::is_foreign(file)) return {};
+        const auto scene = play::free_path(std::filesystem::path("out") / (file.title + ".json"));
+        file.title = scene.stem().string(); // of the files beside it, too
+        const auto imported = import_of(file, {});
+        write_import(imported, scene);
+        auto message = fmt::format("imported: {}", import_counts(imported));
+        if (!imported.notes.empty())
+            message +=
+                fmt::format("; {} on what it could not take, in the terminal", count_of(imported.notes.size(), "note"));
+        for (const auto& note : imported.notes) print_error(import_note(path, note) + '\n');
+        return {scene, "", std::move(message)};
+    } catch (const CommandError& problem) {
+        return {{}, plain(problem.message), ""};
+    }
+}
+
+/// Models, and vectors and films that are no films of pictures.
+std::unique_ptr<files::Exporter> open_export(const std::filesystem::path& path, std::array<int, 2> size, double fps) {
+    const auto* const format = files::export_format_of(path);
+    if (!format || (format->is_painted && canvas::format_of(path))) return nullptr;
+    const bool moves = format->frames == files::FramesPerFile::all || files::has_frame_number(path);
+    if (moves != (fps > 0)) return nullptr;
+    return format->open({.path = path, .fps = fps > 0 ? fps : format->usual_fps, .size = size});
+}
+
 play::SceneLibrary library() {
-    play::SceneLibrary library{{}, {}, fetch, read};
+    play::SceneLibrary library{{}, {}, fetch, read, convert, open_export};
     for (auto& entry : catalogue_index()) {
         library.names.push_back(std::move(entry.name));
         library.categories.push_back(std::move(entry.category));

@@ -26,9 +26,9 @@ PurposeText text_of(play::Purpose purpose) {
     case play::Purpose::save_state:
         return {"Save the running state as", "Save", ".json"};
     case play::Purpose::picture:
-        return {"Export a picture: PNG, SVG or PDF", "Export", ".png"};
+        return {"Export this moment: PNG, SVG or PDF; OBJ or PLY", "Export", ".png"};
     default:
-        return {"Record a film: MP4, WebM or GIF", "Record", ".mp4"};
+        return {"Export what happens: MP4, WebP, GIF; glb, pc2; moving svg, Lottie json", "Record", ".mp4"};
     }
 }
 

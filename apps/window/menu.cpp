@@ -35,8 +35,8 @@ void file_menu(Play& play) {
     if (entry(play, "Save recording")) play.save_recording();
     tooltip("All that happened since the scene was opened, for a report of a fault: sinew replay FILE.");
     ImGui::Separator();
-    if (entry(play, "Export picture\xe2\x80\xa6")) play.ask_for_path(Purpose::picture);
-    if (play.recording() ? entry(play, "End the film", "film") : entry(play, "Record film\xe2\x80\xa6"))
+    if (entry(play, "Export moment\xe2\x80\xa6")) play.ask_for_path(Purpose::picture);
+    if (play.recording() ? entry(play, "End the export", "film") : entry(play, "Export film or model\xe2\x80\xa6"))
         play.recording() ? play.toggle_recording() : play.ask_for_path(Purpose::film);
     ImGui::Separator();
     if (entry(play, "Settings\xe2\x80\xa6", "settings")) play.settings = true;

@@ -29,11 +29,17 @@ std::string all_endings() {
     return text;
 }
 
+/// Null if there is none.
+const ImportFormat* find_format(const ImportFile& file) {
+    for (const auto* format : all)
+        if (format->sniff(file.bytes)) return format;
+    for (const auto* format : all)
+        if (has_ending(*format, file.name)) return format;
+    return nullptr;
+}
+
 const ImportFormat& format_of(const ImportFile& file) {
-    for (const auto* format : all)
-        if (format->sniff(file.bytes)) return *format;
-    for (const auto* format : all)
-        if (has_ending(*format, file.name)) return *format;
+    if (const auto* const format = find_format(file)) return *format;
     throw ImportError{"", "neither its content nor its ending is of a format that can be imported",
                       concat("formats: ", all_endings())};
 }
@@ -42,6 +48,11 @@ const ImportFormat& format_of(const ImportFile& file) {
 
 std::span<const ImportFormat* const> import_formats() {
     return all;
+}
+
+bool is_foreign(const ImportFile& file) {
+    const auto* const format = find_format(file);
+    return format && (format->sniff(file.bytes) || !small(file.name).ends_with(".json"));
 }
 
 Imported import_file(const ImportFile& file, const ImportOptions& options) {

@@ -22,4 +22,7 @@ extern const ImportFormat svg, png, obj, glb, gltf, tiled, points_and_sticks;
 
 std::span<const ImportFormat* const> import_formats();
 
+/// True for a file of another program, by its content or by an ending that no scene has.
+bool is_foreign(const ImportFile& file);
+
 } // namespace sinew::files
