@@ -2,6 +2,7 @@
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
 #include "apps/cli/scene_file.h"
+#include "apps/cli/scrap.h"
 #include "apps/cli/session_file.h"
 #include "apps/cli/stepping.h"
 #include "canvas/interrupt.h"
@@ -32,9 +33,7 @@ class RecordingWitness final : public Witness {
   private:
     play::Recorder recorder_;
 
-    void check() const {
-        if (const auto& failure = recorder_.failure()) throw CommandError{bad_input, "sinew: " + *failure + "\n"};
-    }
+    void check() const { settle(recorder_.failure()); }
 };
 
 class RecordCommand final : public Command {

@@ -3,6 +3,7 @@
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
 #include "apps/cli/scene_file.h"
+#include "apps/cli/scrap.h"
 #include "player/files.h"
 
 #include <array>
@@ -70,7 +71,7 @@ SessionFile open_session(const SceneWords& words) {
 void save_session(const Session& session, const std::string& from, const fs::path& to) {
     const auto bytes = save(session, from);
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (const auto failure = play::write_file(to, text)) throw CommandError{bad_input, "sinew: " + *failure + "\n"};
+    settle(play::write_file(to, text));
 }
 
 } // namespace sinew::cli
