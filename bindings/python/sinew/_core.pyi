@@ -1,5 +1,5 @@
 # The extension module. Everything here is made pleasant, and documented, by the other files of the package.
-from typing import Any, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 import numpy.typing as npt

@@ -49,7 +49,7 @@ def export(simulation: Simulation, path: str, seconds: float | None, fps: float 
         raise ArgumentError(f"{path} is one moment: a sequence has a number in its name, such as a-%04d.obj")
     start, rate = simulation.seconds, target.fps
     length = simulation.duration if seconds is None else seconds
-    if not (rate > 0 and 0 <= length <= 1e6):
+    if not (0 < rate <= 1000 and 0 <= length <= 1e6):
         raise ArgumentError(f"{length} seconds at {rate} a second are no film")
     for frame in range(max(1, round(length * rate)) if target.is_film else 1):
         if frame:
