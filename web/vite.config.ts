@@ -54,7 +54,7 @@ function offline(): Plugin {
             const hash = createHash("sha256");
             for (const file of Object.values(bundle)) hash.update(file.type === "asset" ? file.source : file.code);
             for (const name of readdirSync(directory)) hash.update(readFileSync(join(directory, name)));
-            const files = [...new Set(["./", "learn/", ...readdirSync(directory), ...Object.keys(bundle)])].filter((name) => !name.endsWith("index.html")).sort();
+            const files = [...new Set(["./", "learn/", "rollback/", ...readdirSync(directory), ...Object.keys(bundle)])].filter((name) => !name.endsWith("index.html")).sort();
             const list = (isOfThreads: boolean): string => JSON.stringify(files.filter((name) => name.includes("-threads") === isOfThreads));
             const source = readFileSync(resolve(import.meta.dirname, "common/service_worker.js"), "utf8")
                 .replace("[/* files */]", list(false))
@@ -112,7 +112,7 @@ export default defineConfig({
         assetsInlineLimit: 0,
         chunkSizeWarningLimit: 900,
         rolldownOptions: {
-            input: { playground: resolve(import.meta.dirname, "index.html"), learn: resolve(import.meta.dirname, "learn/index.html") },
+            input: { playground: resolve(import.meta.dirname, "index.html"), learn: resolve(import.meta.dirname, "learn/index.html"), rollback: resolve(import.meta.dirname, "rollback/index.html") },
         },
     },
 });

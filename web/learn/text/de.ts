@@ -282,6 +282,7 @@ export const de: Text = {
             after: [
                 `Ein Doppelpendel ist [[chaotisch|Chaos]]: Hier wächst ein Unterschied etwa alle 2,4 Sekunden auf das Zehnfache, bis nichts mehr gleich ist. Von 10⁻¹³ px bis zu einem Hundertstel sind es elf Zehnerpotenzen, also siehst du nach etwa 22 Sekunden zwei. Unterschieden sich zwei Rechner im letzten Bit einer einzigen Wurzel, zeigten sie bald andere Szenen. Eine Szene von Sinew aber endet mit denselben Bits auf einem Telefon und auf einem Server, mit einem Faden der Arbeit oder acht.`,
                 `Der Preis ist Sorgfalt: Summen immer in derselben Reihenfolge, kein Sinus des Betriebssystems, keine „schnelle“ Arithmetik. Der Gewinn: Eine Aufzeichnung ist eine Liste dessen, was gedrückt wurde, ein Fehler passt in eine Nachricht, und die Adresse einer Szene zeigt anderen, was du sahst. Die Zeile unter der Figur hat die [[Prüfzahl]] von allem, was sich bewegt.`,
+                `So teilen sich zwei Spieler, die weit voneinander sitzen, eine Welt: <a href="../rollback/" hreflang="en">zwei Welten über eine schlechte Leitung</a>.`,
             ],
             listing: {
                 about: "Dasselbe in einem Programm, mit dem Paket:",

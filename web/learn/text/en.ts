@@ -283,6 +283,7 @@ export const en: Text = {
             after: [
                 `A double pendulum is [[chaotic|chaos]]: here a difference grows tenfold about every 2.4 seconds, until nothing is the same. From 10⁻¹³ px to a hundredth of one are eleven decades, so you see two after some 22 seconds. If two computers differed in the last bit of a single square root, they would soon show another scene. Yet a scene of Sinew ends with the same bits on a phone and on a server, with one thread or eight.`,
                 `The price is care: sums in the same order always, no sine from the operating system, and no “fast” arithmetic. The prize: a replay is a list of what was pressed, a bug can be sent in a message, and the address of a scene is enough to show another what you saw. The line below the figure has the [[hash]] of everything that moves.`,
+                `Two players far apart can share a world so: <a href="../rollback/">two worlds over a bad link</a>.`,
             ],
             listing: {
                 about: "The same in a program, with the package:",
