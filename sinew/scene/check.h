@@ -12,8 +12,10 @@ bool check_values(const Scene& scene, Document& document);
 /// The part of check_values about limits: numbers of figures, events, particles and constraints.
 void check_sizes(const Scene& scene, Document& document);
 
-/// Checks after building: every particle, constraint, figure and part referred to exists.
-void check_references(const Scene& scene, const AnyWorld& world, Document& document);
+/// Checks after building: every particle, constraint, figure and part referred to exists. Of `incomplete` figures any
+/// name may exist; with an empty name in the list, any figure.
+void check_references(const Scene& scene, const AnyWorld& world, Document& document,
+                      std::span<const std::string> incomplete = {});
 
 /// Warns of values that a valid scene can hardly mean: strains that no link reaches, a mesh in several parts, welded
 /// points.

@@ -14,8 +14,9 @@ namespace {
 /// Checks the references of a scene against the built world.
 template <int D, class Real> class ReferenceCheck {
   public:
-    ReferenceCheck(const Scene& scene, const World<D, Real>& world, Document& document)
-        : scene_(scene), world_(world), document_(document) {}
+    ReferenceCheck(const Scene& scene, const World<D, Real>& world, Document& document,
+                   std::span<const std::string> incomplete)
+        : scene_(scene), world_(world), document_(document), incomplete_(incomplete) {}
 
     void run() {
         for (std::size_t i = 0; i < scene_.constraints.size(); ++i)
@@ -38,6 +39,14 @@ template <int D, class Real> class ReferenceCheck {
     const Scene& scene_;
     const World<D, Real>& world_;
     Document& document_;
+    std::span<const std::string> incomplete_;
+
+    bool is_incomplete(std::string_view figure) const {
+        return std::ranges::find(incomplete_, figure) != incomplete_.end();
+    }
+    void unknown_figure(std::string_view name, const std::string& place) {
+        if (!is_incomplete("")) unknown("figure", name, place, figure_names());
+    }
 
     std::vector<std::string_view> figure_names() const {
         std::vector<std::string_view> names;
@@ -85,8 +94,9 @@ template <int D, class Real> class ReferenceCheck {
             return document_.error(place, format_text("expected a {} as figure/name, found \"{}\"", what, path),
                                    full_names(what, path));
         const auto index = find_figure(world_, path.substr(0, slash));
-        if (!index) return unknown("figure", path.substr(0, slash), place, figure_names());
+        if (!index) return unknown_figure(path.substr(0, slash), place);
         const auto& figure = world_.figures[*index];
+        if (is_incomplete(figure.name)) return;
         tell(figure, format_text("{} in \"{}\" called", what, path.substr(0, slash)), path.substr(slash + 1));
     }
 
@@ -119,7 +129,7 @@ template <int D, class Real> class ReferenceCheck {
 
     /// Checks the figure of an attractor; empty stands for all figures.
     void pulled(std::string_view name, const std::string& place) {
-        if (!name.empty() && !find_figure(world_, name)) unknown("figure", name, place, figure_names());
+        if (!name.empty() && !find_figure(world_, name)) unknown_figure(name, place);
     }
 
     /// Reports particles that one pin of the scene holds rigidly and another pin holds too: the later one would take
@@ -205,12 +215,12 @@ template <int D, class Real> class ReferenceCheck {
         const auto slash = key.find('/');
         if (slash != std::string_view::npos) {
             const auto index = find_figure(world_, key.substr(0, slash));
-            if (!index) return unknown("figure", key.substr(0, slash), place, figure_names());
-            if (!has_part(world_.figures[*index], key.substr(slash + 1)))
+            if (!index) return unknown_figure(key.substr(0, slash), place);
+            if (!is_incomplete(world_.figures[*index].name) && !has_part(world_.figures[*index], key.substr(slash + 1)))
                 unknown("part", key.substr(slash + 1), place, parts_of(world_.figures[*index]));
             return;
         }
-        if (find_figure(world_, key)) return;
+        if (find_figure(world_, key) || !incomplete_.empty()) return;
         auto candidates = figure_names();
         for (const auto& figure : world_.figures) {
             if (has_part(figure, key)) return;
@@ -234,6 +244,7 @@ template <int D, class Real> class ReferenceCheck {
     /// Reports what is neither a particle nor, as there is none of the name, a figure or a collider.
     void side(const std::string& name, const std::string& place) {
         if (name.find('/') != std::string::npos) return particle(name, place);
+        if (is_incomplete("")) return;
         auto candidates = figure_names();
         for (const auto& collider : world_.colliders) candidates.emplace_back(collider.name);
         unknown("collider or figure", name, place, std::move(candidates));
@@ -275,8 +286,7 @@ template <int D, class Real> class ReferenceCheck {
         }
     }
     void event(const AddEvent& more, std::size_t i) {
-        if (!find_figure(world_, more.figure))
-            unknown("figure", more.figure, under("events", i, "add"), figure_names());
+        if (!find_figure(world_, more.figure)) unknown_figure(more.figure, under("events", i, "add"));
     }
     void event(const ColliderEvent& change, std::size_t i) {
         const auto place = under("events", i, "collider");
@@ -296,8 +306,9 @@ template <int D, class Real> class ReferenceCheck {
 
 } // namespace
 
-void check_references(const Scene& scene, const AnyWorld& world, Document& document) {
-    std::visit([&](const auto& w) { ReferenceCheck(scene, w, document).run(); }, world);
+void check_references(const Scene& scene, const AnyWorld& world, Document& document,
+                      std::span<const std::string> incomplete) {
+    std::visit([&](const auto& w) { ReferenceCheck(scene, w, document, incomplete).run(); }, world);
 }
 
 } // namespace sinew

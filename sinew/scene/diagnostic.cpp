@@ -319,10 +319,10 @@ constexpr std::array<Renamed, 9> renamed_words = {{{"angle", "turn"},
                                                    {"toughness", "damage_limit"},
                                                    {"wheel_quickens", "wheel_time_scale"}}};
 
-/// Words of other engines and of everyday speech.
+/// Words of other engines and of everyday speech; a path leads on from a word that is allowed.
 constexpr std::array<Renamed, 44> foreign_words = {{{"anchored", "pinned"},
                                                     {"ball", "sphere"},
-                                                    {"bounce", "contact"},
+                                                    {"bounce", "contact.bounce"},
                                                     {"circle", "sphere"},
                                                     {"circle", "ball"},
                                                     {"color", "looks"},
@@ -336,7 +336,7 @@ constexpr std::array<Renamed, 44> foreign_words = {{{"anchored", "pinned"},
                                                     {"elasticity", "compliance"},
                                                     {"fixed", "pinned"},
                                                     {"floor", "half_space"},
-                                                    {"friction", "contact"},
+                                                    {"friction", "contact.friction"},
                                                     {"ground", "half_space"},
                                                     {"heightfield", "height_field"},
                                                     {"hinge", "angle"},
@@ -348,7 +348,7 @@ constexpr std::array<Renamed, 44> foreign_words = {{{"anchored", "pinned"},
                                                     {"prismatic", "rail"},
                                                     {"rectangle", "box"},
                                                     {"restitution", "bounce"},
-                                                    {"restitution", "contact"},
+                                                    {"restitution", "contact.bounce"},
                                                     {"rod", "distance"},
                                                     {"rotation", "turn"},
                                                     {"slider", "rail"},
@@ -374,7 +374,7 @@ std::string_view new_name(std::string_view word) {
 
 std::string_view own_name(std::string_view word, std::span<const std::string_view> candidates) {
     for (const auto& [from, to] : foreign_words)
-        if (from == word && std::ranges::find(candidates, to) != candidates.end()) return to;
+        if (from == word && std::ranges::find(candidates, to.substr(0, to.find('.'))) != candidates.end()) return to;
     return {};
 }
 

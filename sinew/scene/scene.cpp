@@ -1,6 +1,6 @@
 #include "sinew/scene/scene.h"
 
-#include "sinew/scene/check.h"
+#include "sinew/scene/check_rest.h"
 #include "sinew/scene/key_paths.h"
 #include "sinew/scene/layout.h"
 #include "sinew/scene/read_images.h"
@@ -102,10 +102,13 @@ std::optional<Opened> open_scene(Document& document, const ImageReader& images, 
                          if (!layout) layout = scene_layout();
                          return exact_key_paths(*layout, json::Object{}, key);
                      }});
-    if (document.diagnostics.count() > without_version) return std::nullopt;
+    const bool is_read = document.diagnostics.count() == without_version;
     if (models) read_models(opened.scene, models, document);
     const bool has_models = document.diagnostics.count() == without_version;
-    if (!check_values(opened.scene, document) || !has_models) return std::nullopt;
+    if (!is_read || !check_values(opened.scene, document) || !has_models) {
+        CheckRest(opened.scene, document).run();
+        return std::nullopt;
+    }
     opened.world = instantiate(opened.scene);
     check_references(opened.scene, opened.world, document);
     if (images) opened.images = read_images(opened, images, document);

@@ -66,7 +66,7 @@ TEST(FileHelp, KnowsTheWordsOfOtherEngines) {
         return said_of(R"({"sinew": 1, "figures": [{)" + members + R"(, "at": [0, 0]}]})");
     };
     EXPECT_TRUE(says(said(R"("prefab": "circle")"), "did you mean \"ball\"?"));
-    EXPECT_TRUE(says(said(R"("prefab": "box", "restitution": 1)"), "did you mean \"contact\"?"));
+    EXPECT_TRUE(says(said(R"("prefab": "box", "restitution": 1)"), "did you mean \"contact.bounce\"?"));
     EXPECT_TRUE(says(said(R"("prefab": "box", "density": 1)"), "did you mean \"mass\"?"));
     EXPECT_TRUE(says(said(R"("prefab": "box", "color": "red")"), "did you mean \"looks\"?"));
 }

@@ -172,6 +172,30 @@ TEST(Words, OfOtherEnginesLeadToOurs) {
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "color": "red"}])"), "did you mean \"looks\"?"));
 }
 
+// All mistakes at once: misspelt keys hide no unknown names, and what follows from a mistake is not told beside it.
+TEST(Errors, OfShapeDoNotHideThoseOfNames) {
+    const auto said = said_of(R"({"sinew": 1, "figures": [
+        {"name": "f", "particles": {"a": {"position": [0, 0]}, "b": {"at": [1, 0]}}, "constraints": [
+            {"between": ["a", "nobody"]}, {"between": ["a", "b"], "complience": 1},
+            {"between": ["a", "b"], "low": 3, "high": 2}]},
+        {"prefab": "rope", "name": "r", "segmnets": 9}, {"prefab": "rope", "name": "s", "segments": 3},
+        {"prefab": "rop", "name": "t"}, {"prefab": "box", "name": "s"}],
+        "constraints": [{"between": ["f/a", "f/none"]}, {"between": ["r/particle_9", "s/particle_9"]},
+                        {"between": ["t/end", "u/end"]}],
+        "pins": [{"particle": "s/ned"}, {"particle": "s/start", "driver": "path", "keys": []}],
+        "events": [{"at": "soon", "kick": "s/foo", "by": [1, 1]}]})")
+                          .errors;
+    for (const char* part :
+         {"missing property \"at\"", "called \"nobody\"", "\"complience\"", "low (3) is above high", "\"segmnets\"",
+          "unknown prefab \"rop\"", "already a figure called \"s\"", "in \"f\" called \"none\"",
+          "in \"s\" called \"particle_9\"", "no figure \"u\"", "in \"s\" called \"ned\"", "at least one key",
+          "found the string \"soon\"", "in \"s\" called \"foo\""})
+        EXPECT_TRUE(says(said, part));
+    EXPECT_EQ(said.find("in \"r\""), std::string::npos) << "may be there once segments are spelt: " << said;
+    EXPECT_EQ(said.find("figure \"t\""), std::string::npos) << said;
+    EXPECT_EQ(said.find("found \"\""), std::string::npos) << said;
+}
+
 TEST(Override, ThatIsBrokenIsNoWord) {
     const auto said = [](const std::string& pair) {
         const Override overrides[] = {{pair}};
