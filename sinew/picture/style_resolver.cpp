@@ -2,6 +2,8 @@
 
 #include "sinew/scene/check.h"
 
+#include <algorithm>
+
 namespace sinew {
 namespace {
 
@@ -27,11 +29,29 @@ bool is_part_of(const std::string& key, const std::string& figure, const std::st
            key[figure.size()] == '/';
 }
 
+/// The figure that an event adds copies of under this name, NAME_1 and so on; null if none does.
+const FigureSection* original_of(const Scene& scene, std::string_view name) {
+    const auto number = name.find_last_not_of("0123456789");
+    if (number == std::string_view::npos || number + 1 == name.size() || name[number] != '_') return nullptr;
+    const auto original = name.substr(0, number);
+    const bool is_added = std::ranges::any_of(scene.events, [&](const EventSection& section) {
+        const auto* add = std::get_if<AddEvent>(&section.event);
+        return add && add->figure == original;
+    });
+    const auto found = std::ranges::find(scene.figures, original, [](const auto& figure) { return name_of(figure); });
+    return is_added && found != scene.figures.end() ? &*found : nullptr;
+}
+
 } // namespace
 
 StyleResolver::StyleResolver(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name)
     : scene_(scene), theme_(theme), figure_(figure), name_(name) {
-    if (figure < scene.figures.size() && name_of(scene.figures[figure]) == name) section_ = &scene.figures[figure];
+    if (figure < scene.figures.size() && name_of(scene.figures[figure]) == name) {
+        section_ = &scene.figures[figure];
+    } else if (const auto* original = original_of(scene, name)) {
+        section_ = original;
+        name_ = name_of(*original);
+    }
 }
 
 Style StyleResolver::plain(const std::string& part) const {

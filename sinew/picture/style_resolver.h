@@ -25,10 +25,11 @@ struct Style {
 };
 
 /// Resolves the looks of one figure's parts. Later ones override: the theme; the scene's looks of the part, then of the
-/// figure; the figure's own look "all", then of the part; the scene's look "figure/part".
+/// figure; the figure's own look "all", then of the part; the scene's look "figure/part". Copies that an event adds
+/// have the looks of the original.
 class StyleResolver {
   public:
-    /// Keeps references to scene, theme and name.
+    /// Keeps references to scene and theme.
     StyleResolver(const Scene& scene, const Theme& theme, std::size_t figure, const std::string& name);
 
     /// Valid until the next call.
@@ -40,8 +41,8 @@ class StyleResolver {
     const Scene& scene_;
     const Theme& theme_;
     std::size_t figure_;
-    const std::string& name_;
     const FigureSection* section_ = nullptr; ///< null if the figure is not of the scene
+    std::string name_;                       ///< of the figure, or of its original
     Style last_;
     std::string last_part_;
     bool dressed_ = false;

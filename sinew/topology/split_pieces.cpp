@@ -2,6 +2,8 @@
 
 #include "sinew/topology/slice.h"
 
+#include <algorithm>
+
 namespace sinew {
 namespace {
 
@@ -128,8 +130,13 @@ void split_pieces(World<D, Real>& world, std::span<const Ends> gone, const Slice
                 if (const auto figure = world.particles.figure[*row]; figure < touched.size()) touched[figure] = 1;
     const Gaps gaps(gone);
     const PieceSplitter<D, Real> splitter(world, gaps, slicer);
+    // pieces of a hand-made figure join particles of others
+    const auto joins = [&](const Figure& figure) {
+        return std::ranges::any_of(
+            figure.pieces, [&](const Piece& piece) { return !is_cloth(piece.mark) && !gaps_of(piece, gaps).empty(); });
+    };
     for (std::size_t i = 0; i < touched.size(); ++i)
-        if (touched[i]) splitter.split_pieces(world.figures[i]);
+        if (touched[i] || joins(world.figures[i])) splitter.split_pieces(world.figures[i]);
 }
 
 #define SINEW_SPLIT_PIECES(D, Real)                                                                                    \

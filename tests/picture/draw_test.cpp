@@ -44,6 +44,45 @@ TEST(Draw, ADotIsADiscWhereItsParticleIs) {
     EXPECT_EQ(picture.points[discs[0].first], (Vec2<float>{{100, 120}}));
 }
 
+TEST(Draw, CopiesByAnEventLookLikeTheOriginal) {
+    auto document = load(scene(ball, R"(, "events": [{"at": 1, "add": "ball", "to": [40, 0]},
+        {"at": 2, "add": "ball", "to": [80, 0]}], "looks": {"ball/a": {"width": 12}})"),
+                         "test.json");
+    auto opened = open_scene(document);
+    ASSERT_TRUE(opened) << to_text(document.diagnostics);
+    Session session(std::move(*opened));
+    session.run_until(session.seconds() + 0.2);
+    Picture picture;
+    picture.width = 640, picture.height = 480;
+    draw(session, picture);
+    const auto discs = of_color(picture, "#ff0000");
+    ASSERT_EQ(discs.size(), 3U);
+    for (const auto& disc : discs) EXPECT_EQ(disc.width, discs[0].width);
+}
+
+// The line is a piece of a figure that has neither end.
+TEST(Draw, ATornLinkBetweenOtherFiguresIsGone) {
+    const auto lines = [](const std::string& strength) {
+        auto document = load(R"({"sinew": 1, "figures": [
+            {"name": "a", "particles": {"p": {"at": [0, 0], "pinned": true}}},
+            {"name": "b", "particles": {"p": {"at": [1, 0]}}},
+            {"name": "t", "constraints": [{"name": "x", "between": ["a/p", "b/p"], "rest": 0.5, "compliance": 0.01,
+             "break_force": )" + strength +
+                                 R"(}], "looks": {"x": {"color": "#0000ff"}}}]})",
+                             "test.json");
+        auto opened = open_scene(document);
+        EXPECT_TRUE(opened) << to_text(document.diagnostics);
+        Session session(std::move(*opened));
+        session.step(), session.step();
+        Picture picture;
+        picture.width = picture.height = 400;
+        draw(session, picture);
+        return of_color(picture, "#0000ff").size();
+    };
+    EXPECT_EQ(lines("1000"), 1U);
+    EXPECT_EQ(lines("1"), 0U);
+}
+
 TEST(Draw, APictureTwiceAsLargeHasEverythingTwiceAsLarge) {
     const auto small = drawn(scene(ball)), large = drawn(scene(ball), 1280, 960);
     ASSERT_EQ(small.items.size(), large.items.size());
