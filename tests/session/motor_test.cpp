@@ -79,6 +79,31 @@ TEST(Motor, ThatIsHeldGoesOnAtItsSpeedAfterwards) {
     EXPECT_NEAR(degrees_of(session), 180 - 2 * lag, 2);
 }
 
+// The motor is all that moves the wheel of springs, against the bar that a rigid link and a damped spring hold: the bar
+// is solved at once, and joined to what is swept.
+TEST(Motor, TurnsAWheelBesideADampedSpring) {
+    for (const std::string direct : {"auto", "off"}) {
+        auto session = play(R"({"sinew": 1, "solver": {"direct": ")" + direct + R"("}, "figures": [
+            {"prefab": "tire", "name": "rear", "at": [-0.9, -0.1], "radius": 0.36, "segments": 12, "mass": 6},
+            {"prefab": "tire", "name": "front", "at": [0.9, -0.1], "radius": 0.36, "segments": 12, "mass": 6},
+            {"name": "car", "particles": {"bow": {"at": [0.85, 0], "mass": 9}, "tail": {"at": [-0.98, 0.4], "mass": 9}},
+             "constraints": [{"between": ["bow", "tail"]}]}], "constraints": [
+            {"between": ["rear/center", "car/bow"]},
+            {"between": ["front/center", "car/bow"], "compliance": 1e-4, "damping_time": 0.06},
+            {"kind": "angle", "between": ["car/bow", "rear/center", "rear/corner_0"], "max_force": 200,
+             "drive": {"speed": 300}}]})");
+        const auto angle = [&] {
+            const auto& world = std::get<World<2, double>>(session.world());
+            const auto at = [&](const char* name) { return *position_of(world, *find_particle(world, name)); };
+            const auto arm = at("rear/center") - at("car/bow"), spoke = at("rear/corner_0") - at("rear/center");
+            return std::atan2(cross(arm, spoke), dot(arm, spoke)) * 180 / pi<double>;
+        };
+        const double begun = angle();
+        session.run_until(3); // 900 degrees
+        EXPECT_NEAR(std::remainder(angle() - begun - 180, 360), 0, 3) << direct;
+    }
+}
+
 TEST(Motor, WithoutKeysTurnsForEver) {
     for (const std::string precision : {"double", "float"}) {
         auto session = play(arm(R"("max_force": 20, "drive": {"speed": -7200})", "", precision));

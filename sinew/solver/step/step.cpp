@@ -21,7 +21,8 @@ template <int D, class Real> void begin(World<D, Real>& world, Solver<D, Real>& 
 
 template <int D, class Real> void step_sweep(World<D, Real>& world, Solver<D, Real>& solver, int count, Real h) {
     const auto& plan = solver.sweep_state.plan;
-    const bool motorized = !(plan.others.empty() && solver.blocks.list.empty()) && any_driven(world);
+    const bool is_simple = plan.others.empty() && solver.blocks.list.empty() && solver.blocks.ports.rows.empty();
+    const bool motorized = !is_simple && any_driven(world);
     if (solver.sweep_state.size() == 0 && !motorized) return forget_contacts(world);
     begin_sweep(world, solver, h);
     begin_rolling(world, solver, h);
