@@ -161,12 +161,12 @@ class RecordingReader {
         if (step > recording_.steps) return "a return to a step that was not taken";
         if (step < recording_.steps) {
             // actions at the step before the next one stay
-            auto keep = end_of_step_[step];
+            auto keep = end_of_step_[std::size_t(step)];
             while (!std::holds_alternative<recorded::Step>(recording_.entries[keep].what)) ++keep;
             recording_.entries.resize(keep);
         }
         recording_.steps = step;
-        end_of_step_.resize(step + 1);
+        end_of_step_.resize(std::size_t(step) + 1);
         return {};
     }
     std::string take_places(ByteReader& content, std::size_t size) {

@@ -49,6 +49,10 @@ template <int D, class Real> void find_rollers(World<D, Real>& world, Solver<D, 
 template <int D, class Real> void begin_rolling(World<D, Real>& world, Solver<D, Real>& solver, Real h);
 template <int D, class Real> void end_rolling(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 
+/// direct/find_blocks.cpp: finds the components to be solved directly, where the world has changed; true if all of it
+/// was searched.
+template <int D, class Real> bool find_blocks(World<D, Real>& world, Solver<D, Real>& solver);
+
 /// plan.cpp: plans the sweep of everything outside the blocks; entirely if `anew`, otherwise the changed parts.
 template <int D, class Real> void make_plan(World<D, Real>& world, Solver<D, Real>& solver, bool anew);
 
