@@ -36,7 +36,7 @@ template <int D, class Real> class FigureContact {
         const Real scale = scale_kept();
         list_candidates();
         room().parts.run_all(threads_, [&](Part& part) { build_rows(world_, solver_, part, h_, from_, to_); });
-        room().projector.begin(state_, drag_changes_, threads_);
+        room().projector.begin(state_, drag_changes_, is_last_, threads_);
         each_part([&](Part& part) {
             for (auto& row : part.rows) apply_again(row);
         });
@@ -152,7 +152,7 @@ template <int D, class Real> class FigureContact {
         room().joints.store(world_);
         if (!is_last_) return;
         kept.give_to_world();
-        room().projector.store(world_);
+        room().projector.store(world_, state_);
     }
     /// Lists the figures that press, and those so near that a touch goes on without a force.
     void note_figures() {

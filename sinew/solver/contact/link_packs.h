@@ -24,7 +24,8 @@ template <int D, class Real> class LinkPacks {
     Place place_of(std::uint32_t component) const { return places_[component]; }
 
     void build(const RigidLinks<D, Real>& links) {
-        list.clear(), rows_.clear(), slots_.clear(), moves_.clear(), parts_.clear();
+        list.clear(), rows_.clear(), clusters_.clear(), members_.clear();
+        slots_.clear(), moves_.clear(), parts_.clear();
         number_.resize(links.component_of.size());
         places_.resize(links.components.size());
         sort_by_structure(links);
@@ -42,6 +43,10 @@ template <int D, class Real> class LinkPacks {
         });
     }
 
+    /// Displacements by the links of clusters are noted in a substep, or not.
+    void note_held(bool notes) {
+        for (auto& pack : list) pack.notes_held = notes;
+    }
     /// Calls visit(link, pack, number of the link in its component, lane).
     template <class Visit> void each_link(const RigidLinks<D, Real>& links, Visit&& visit) const {
         for (std::uint32_t i = 0; i < links.components.size(); ++i) {
@@ -61,9 +66,11 @@ template <int D, class Real> class LinkPacks {
     };
     /// Offsets of a pack's arrays, while these grow.
     struct Part {
-        std::size_t rows = 0, moves = 0, slots = 0, numbers = 0;
+        std::size_t rows = 0, clusters = 0, members = 0, moves = 0, slots = 0, numbers = 0;
     };
     std::vector<LinkRow> rows_;
+    std::vector<LinkCluster> clusters_;
+    std::vector<std::uint32_t> members_;
     std::vector<char> moves_;
     std::vector<std::uint32_t> slots_;
     std::vector<double> numbers_;
@@ -72,6 +79,8 @@ template <int D, class Real> class LinkPacks {
     std::vector<Numbered> order_;       ///< components by structure
     std::vector<std::uint32_t> number_; ///< per slot: number in its component
     std::vector<LinkRow> found_;        ///< rows of a component
+    std::vector<LinkCluster> found_clusters_;
+    std::vector<std::uint32_t> found_members_;
 
     static std::span<const Row> slots_of(const Links& links, const LinkComponent& component) {
         return std::span(links.slots).subspan(component.first_slot, component.last_slot - component.first_slot);
@@ -85,39 +94,66 @@ template <int D, class Real> class LinkPacks {
         for (auto k = component.first_link; k < component.last_link; ++k) {
             const auto& link = links.list[k];
             const auto moves = [&](Row slot) { return std::uint32_t(links.component_of[slot] != Links::none); };
+            const auto cluster_at = [&](Row slot) {
+                const auto cluster = links.clusters.cluster_of(slot);
+                return cluster == Links::none ? LinkRow::none : cluster - component.first_cluster;
+            };
             found_.push_back({.a = number_[link.a],
                               .b = number_[link.b],
+                              .cluster_a = cluster_at(link.a),
+                              .cluster_b = cluster_at(link.b),
                               .first = link.first - component.first_link,
                               .start = entries,
                               .is_rope = link.is_rope,
                               .moves = moves(link.a) + 2 * moves(link.b)});
             entries += k - link.first;
         }
+        find_members(links, component);
     }
-    std::uint64_t hash_of_rows() const {
+    void find_members(const Links& links, const LinkComponent& component) {
+        found_clusters_.clear(), found_members_.clear();
+        for (auto c = component.first_cluster; c < component.last_cluster; ++c) {
+            const auto& cluster = links.clusters.clusters[c];
+            const auto first = std::uint32_t(found_members_.size());
+            for (auto m = cluster.first; m < cluster.last; ++m)
+                found_members_.push_back(number_[links.clusters.members[m].particle]);
+            found_clusters_.push_back({first, std::uint32_t(found_members_.size())});
+        }
+    }
+    std::uint64_t hash_of_structure() const {
         std::uint64_t hash = found_.size();
+        const auto add = [&](std::uint32_t number) { hash = (hash ^ number) * 1099511628211ULL; };
         for (const auto& row : found_)
-            for (const auto number : {row.a, row.b, row.is_rope, row.moves}) hash = (hash ^ number) * 1099511628211ULL;
+            for (const auto number : {row.a, row.b, row.is_rope, row.moves}) add(number);
+        for (const auto& cluster : found_clusters_) add(cluster.last);
+        for (const auto member : found_members_) add(member);
         return hash;
     }
     void sort_by_structure(const Links& links) {
         order_.clear();
         for (std::uint32_t i = 0; i < links.components.size(); ++i) {
             find_rows(links, i);
-            order_.push_back({hash_of_rows(), i});
+            order_.push_back({hash_of_structure(), i});
         }
         sinew::sort(order_.begin(), order_.end());
     }
     bool joins_last() const {
-        const auto& pack = list.back();
-        const auto first = rows_.begin() + std::ptrdiff_t(parts_.back().rows);
-        return pack.count < max_link_lanes && std::equal(first, rows_.end(), found_.begin(), found_.end());
+        const auto is_last = [](const auto& all, std::size_t from, const auto& found) {
+            return std::equal(all.begin() + std::ptrdiff_t(from), all.end(), found.begin(), found.end());
+        };
+        const auto& part = parts_.back();
+        return list.back().count < max_link_lanes && is_last(rows_, part.rows, found_) &&
+               is_last(clusters_, part.clusters, found_clusters_) && is_last(members_, part.members, found_members_);
     }
     void begin_pack(const Links& links, std::uint32_t index) {
         const auto& component = links.components[index];
-        parts_.push_back({.rows = rows_.size(), .moves = moves_.size()});
+        parts_.push_back(
+            {.rows = rows_.size(), .clusters = clusters_.size(), .members = members_.size(), .moves = moves_.size()});
         rows_.insert(rows_.end(), found_.begin(), found_.end());
+        clusters_.insert(clusters_.end(), found_clusters_.begin(), found_clusters_.end());
+        members_.insert(members_.end(), found_members_.begin(), found_members_.end());
         LinkPack<D> pack{.links = component.last_link - component.first_link,
+                         .clusters = component.last_cluster - component.first_cluster,
                          .particles = component.last_slot - component.first_slot};
         for (const Row slot : slots_of(links, component)) moves_.push_back(links.component_of[slot] != Links::none);
         for (auto k = component.first_link; k < component.last_link; ++k) {
@@ -141,10 +177,22 @@ template <int D, class Real> class LinkPacks {
         const auto off = reinterpret_cast<std::uintptr_t>(numbers_.data()) % 64 / sizeof(double);
         for (std::size_t i = 0; i < list.size(); ++i) {
             list[i].rows = rows_.data() + parts_[i].rows, list[i].moves = moves_.data() + parts_[i].moves;
+            list[i].cluster = clusters_.data() + parts_[i].clusters;
+            list[i].members = members_.data() + parts_[i].members;
             list[i].slots = slots_.data() + parts_[i].slots;
             list[i].numbers = numbers_.data() + parts_[i].numbers - off;
         }
         fill(links);
+    }
+    void fill_rest(const Links& links, std::uint32_t index) {
+        const auto& component = links.components[index];
+        if (component.first_cluster == component.last_cluster) return;
+        const auto& pack = list[places_[index].pack];
+        auto member = links.clusters.clusters[component.first_cluster].first;
+        for (std::uint32_t m = 0; m < pack.cluster[pack.clusters - 1].last; ++m, ++member)
+            for (int k = 0; k < D; ++k)
+                pack.of_particle(pack.members[m], LinkFields<D>::rest + std::size_t(k))[places_[index].lane] =
+                    links.clusters.members[member].rest[k];
     }
     void fill(const Links& links) {
         for (std::uint32_t i = 0; i < links.components.size(); ++i) {
@@ -164,6 +212,7 @@ template <int D, class Real> class LinkPacks {
             pack.of_link(k, Fields::length)[lane] = link.length;
             pack.of_link(k, Fields::per_length)[lane] = inverse_or_zero(link.length);
         });
+        for (std::uint32_t i = 0; i < links.components.size(); ++i) fill_rest(links, i);
         set_active(links);
     }
 };

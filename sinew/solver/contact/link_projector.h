@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sinew/solver/contact/link_packs.h"
+#include "sinew/solver/contact/cluster_tensions.h"
 #include "sinew/solver/contact/link_response.h"
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/solver/workers.h"
@@ -12,6 +12,7 @@ namespace sinew::detail {
 ///
 ///     velocities    d <- d - M^-1 G^T (G M^-1 G^T)^-1 G d
 ///     lengths       d <- d - M^-1 G^T (G M^-1 G^T)^-1 (|x + d| - L),    until the lengths are right
+/// Clusters whose links make them rigid move as bodies, without a factor (simd/link_clusters.h).
 ///
 /// A rope takes part while it pulls: an active set, kept from substep to substep. A projection of velocities never adds
 /// energy. One of lengths may, where links lie in line: energy above that before is taken back once the particles have
@@ -20,10 +21,12 @@ template <int D, class Real> class LinkProjector {
   public:
     void find(const World<D, Real>& world, const Solver<D, Real>& solver, std::span<const char> takes_part,
               std::vector<char>& is_exact) {
-        if (links_.find(world, solver, takes_part, is_exact))
+        if (links_.find(world, solver, takes_part, is_exact)) {
             packs_.build(links_);
-        else
+            inner_.build(links_);
+        } else {
             packs_.set_active(links_);
+        }
         kernels_ = &kernels<D, Real>(solver.options.simd).links;
         is_current_ = false;
         is_marked_.assign(links_.components.size(), 0);
@@ -31,11 +34,14 @@ template <int D, class Real> class LinkProjector {
     }
     const RigidLinks<D, Real>& links() const { return links_; }
 
-    /// Factorises at the present places, unless that has been done. `mobilities_change`: drag changes them.
-    void begin(const SweepState<D, Real>& state, bool mobilities_change, int threads) {
+    /// Factorises at the present places, unless that has been done. `mobilities_change`: drag changes them. `is_last`:
+    /// `store` follows this substep.
+    void begin(const SweepState<D, Real>& state, bool mobilities_change, bool is_last, int threads) {
         packs_.each_link(links_, [](const RigidLink&, const LinkPack<D>& pack, std::size_t k, std::size_t lane) {
             pack.of_link(k, LinkFields<D>::tension)[lane] = 0;
         });
+        packs_.note_held(is_last);
+        if (is_last) inner_.forget(links_, packs_);
         if (!is_current_ || mobilities_change) run(kernels_->factorise, state, threads);
     }
     void project_velocities(SweepState<D, Real>& state, int threads) { run(kernels_->velocities, state, threads); }
@@ -73,17 +79,21 @@ template <int D, class Real> class LinkProjector {
     }
 
     /// Stores the multipliers, as of constraints of the sweep.
-    void store(World<D, Real>& world) const {
-        auto& table = std::get<kind_number<Distance, D>>(world.constraints);
+    void store(World<D, Real>& world, const SweepState<D, Real>& state) {
+        auto& multipliers = std::get<kind_number<Distance, D>>(world.constraints).multiplier;
+        const auto set = [&](Row row, double tension) {
+            multipliers[row] = clamp(Real(-tension), -limit::multiplier<Real>, limit::multiplier<Real>);
+        };
         packs_.each_link(links_, [&](const RigidLink& link, const LinkPack<D>& pack, std::size_t k, std::size_t lane) {
-            table.multiplier[link.row] = clamp(Real(-pack.of_link(k, LinkFields<D>::tension)[lane]),
-                                               -limit::multiplier<Real>, limit::multiplier<Real>);
+            set(link.row, pack.of_link(k, LinkFields<D>::tension)[lane]);
         });
+        inner_.each_tension(links_, packs_, columns(state), *kernels_, set);
     }
 
   private:
     RigidLinks<D, Real> links_;
     LinkPacks<D, Real> packs_;
+    ClusterTensions<D, Real> inner_;
     const LinkKernels<D, Real>* kernels_ = nullptr;
     std::vector<char> is_marked_; ///< per component
     std::vector<Row> marked_;     ///< a particle of each marked component

@@ -2,7 +2,7 @@
 
 #include "sinew/math/matrix.h"
 #include "sinew/solver/contact/link_packs.h"
-#include "sinew/solver/simd/link_factor.h"
+#include "sinew/solver/simd/link_clusters.h"
 
 namespace sinew::detail {
 
@@ -19,13 +19,11 @@ template <int D, class Real> class LinkResponse {
     Matrix of(Row slot) const {
         auto matrix = Matrix::diagonal(double(state_.mobility[slot]));
         if (links_.component_of[slot] == none) return matrix;
-        const auto lanes = lanes_of(links_.component_of[slot]);
+        const auto lane = lane_of(links_.component_of[slot]);
         for (int i = 0; i < D; ++i) {
-            each(lanes, [&](std::uint32_t k) { lanes.set_right(k, lanes.pull(k, slot) * lanes.along(k)[i]); });
-            lanes.solve();
-            each(lanes, [&](std::uint32_t k) {
-                matrix.column[std::size_t(i)] += lanes.along(k) * (-lanes.pull(k, slot) * lanes.right(k));
-            });
+            const auto push = Vector::axis(i);
+            lane.respond(std::span(&slot, 1), std::span(&push, 1));
+            matrix.column[std::size_t(i)] = lane.displacement(lane.number_of(slot));
         }
         return matrix;
     }
@@ -33,8 +31,10 @@ template <int D, class Real> class LinkResponse {
     double along(std::span<const Row> slots, std::span<const Vector> pushes) const {
         double sum = 0;
         for (std::size_t i = 0; i < slots.size(); ++i) {
-            sum += double(state_.mobility[slots[i]]) * dot(pushes[i], pushes[i]);
-            if (is_first_of_component(slots, i)) sum -= held_back(links_.component_of[slots[i]], slots, pushes);
+            if (links_.component_of[slots[i]] == none)
+                sum += double(state_.mobility[slots[i]]) * dot(pushes[i], pushes[i]);
+            else if (is_first_of_component(slots, i))
+                sum += along(links_.component_of[slots[i]], slots, pushes);
         }
         return max(sum, 0.0);
     }
@@ -47,31 +47,19 @@ template <int D, class Real> class LinkResponse {
             const auto to = state.displacement_at(slot) + cast<Real>(moved);
             state.set_displacement(slot, clamp_components(to, furthest));
         };
-        for (std::size_t i = 0; i < slots.size(); ++i)
-            if (const double mobility = double(state.mobility[slots[i]]); mobility > 0)
-                add(slots[i], pushes[i] * (impulse * mobility));
         for (std::size_t i = 0; i < slots.size(); ++i) {
-            if (!is_first_of_component(slots, i)) continue;
-            const auto lane = lanes_of(links_.component_of[slots[i]]);
-            each(lane, [&](std::uint32_t k) {
-                for (const Row slot : lane.ends(k))
-                    if (const double pull = lane.pull(k, slot); pull != 0)
-                        add(slot, lane.along(k) * (-pull * impulse * lane.right(k)));
-            });
+            if (links_.component_of[slots[i]] == none) {
+                if (const double mobility = double(state.mobility[slots[i]]); mobility > 0)
+                    add(slots[i], pushes[i] * (impulse * mobility));
+            } else if (is_first_of_component(slots, i)) {
+                const auto lane = lane_of(links_.component_of[slots[i]]);
+                lane.each_movable([&](std::uint32_t k) { add(lane.slot_of(k), lane.displacement(k) * impulse); });
+            }
         }
     }
     /// Holds the lengths of a component as they change at the end of the displacements, from now on in the substep. A
     /// straight rope gives way across it, and is stiff once it is bent.
-    void turn(std::uint32_t component) const {
-        const auto lane = lanes_of(component);
-        each(lane, [&](std::uint32_t k) {
-            const auto [a, b] = lane.ends(k);
-            const auto edge = cast<double>(state_.position_at(b) - state_.position_at(a)) +
-                              cast<double>(state_.displacement_at(b) - state_.displacement_at(a));
-            lane.set_along(k, edge * inverse_or_zero(norm(edge)));
-        });
-        lane.factorise();
-    }
+    void turn(std::uint32_t component) const { lane_of(component).turn(state_); }
 
   private:
     static constexpr auto none = RigidLinks<D, Real>::none;
@@ -80,38 +68,76 @@ template <int D, class Real> class LinkResponse {
     const SweepState<D, Real>& state_;
 
     /// A component in its lane.
-    class Lane : LinkLanes<D, double> {
+    class Lane : LinkClusters<D, double> {
+        using Clusters = LinkClusters<D, double>;
         using Lanes = LinkLanes<D, double>;
         using Fields = LinkFields<D>;
         using Lanes::pack_, Lanes::lane_;
 
       public:
-        using Lanes::Lanes, Lanes::solve, Lanes::factorise;
-        std::uint32_t size() const { return pack_.links; }
-        double right(std::uint32_t k) const { return Lanes::link(k, Fields::right); }
-        void set_right(std::uint32_t k, double to) const { Lanes::set_link(k, Fields::right, to); }
-        bool is_active(std::uint32_t k) const { return Lanes::link(k, Fields::active) > 0; }
-        Vector along(std::uint32_t k) const {
-            const auto numbers = Lanes::link_vector(k, Fields::along);
-            return Vector::map([&](int i) { return numbers.at[i]; });
+        using Clusters::Clusters;
+        Row slot_of(std::uint32_t particle) const { return pack_.slots[particle * pack_.stride + lane_]; }
+        /// Number of a particle of the component.
+        std::uint32_t number_of(Row slot) const {
+            std::uint32_t i = 0;
+            while (slot_of(i) != slot) ++i;
+            return i;
         }
-        void set_along(std::uint32_t k, const Vector& to) const {
-            typename Lanes::Vector numbers;
-            for (std::size_t i = 0; i < D; ++i) numbers.at[i] = to[int(i)];
-            Lanes::set_link_vector(k, Fields::along, numbers);
+        template <class Visit> void each_movable(const Visit& visit) const {
+            for (std::uint32_t i = 0; i < pack_.particles; ++i)
+                if (pack_.moves[i]) visit(i);
         }
-        std::array<Row, 2> ends(std::uint32_t k) const { return {slot_of(pack_.rows[k].a), slot_of(pack_.rows[k].b)}; }
-        /// Change of a link's length for a unit displacement of a particle along it, times the inverse mass.
-        double pull(std::uint32_t k, Row slot) const {
-            const auto& row = pack_.rows[k];
-            return (slot_of(row.b) == slot ? Lanes::link(k, Fields::weight_b) : 0) -
-                   (slot_of(row.a) == slot ? Lanes::link(k, Fields::weight_a) : 0);
+        Vector displacement(std::uint32_t particle) const { return vector(particle, Fields::added); }
+
+        /// Displacements for pushes on particles, with the lengths held; pushes on other components have no part.
+        void respond(std::span<const Row> slots, std::span<const Vector> pushes) const {
+            Clusters::clear_added();
+            for (std::size_t i = 0; i < slots.size(); ++i)
+                for (std::uint32_t k = 0; k < pack_.particles; ++k)
+                    if (pack_.moves[k] && slot_of(k) == slots[i]) Clusters::push(k, numbers(pushes[i]));
+            each_link([&](std::uint32_t k, const LinkRow& row) {
+                const double change = Clusters::rate(k, row, Fields::added, Fields::added_move, Fields::added_turn);
+                Lanes::set_link(k, Fields::right, Lanes::link(k, Fields::active) > 0 ? change : 0);
+            });
+            Lanes::solve();
+            each_link([&](std::uint32_t k, const LinkRow& row) {
+                Clusters::pull(k, row, Lanes::link(k, Fields::right), Fields::added, Fields::added_move,
+                               Fields::added_turn);
+            });
+            Clusters::spread_added();
+        }
+        /// Directions at the end of the displacements.
+        void turn(const SweepState<D, Real>& state) const {
+            for (std::uint32_t i = 0; i < pack_.particles; ++i)
+                Lanes::set_particle_vector(i, Fields::displacement,
+                                           numbers(cast<double>(state.displacement_at(slot_of(i)))));
+            Clusters::find_moves();
+            each_link([&](std::uint32_t k, const LinkRow& row) {
+                const Row a = slot_of(row.a), b = slot_of(row.b);
+                const auto edge = cast<double>(state.position_at(b) - state.position_at(a)) +
+                                  cast<double>(state.displacement_at(b) - state.displacement_at(a));
+                Lanes::set_link_vector(k, Fields::along, numbers(edge * inverse_or_zero(norm(edge))));
+                Clusters::take_levers(k, row, true, true);
+            });
+            Lanes::factorise();
         }
 
       private:
-        Row slot_of(std::uint32_t particle) const { return pack_.slots[particle * pack_.stride + lane_]; }
+        static typename Lanes::Vector numbers(const Vector& from) {
+            typename Lanes::Vector to;
+            for (std::size_t i = 0; i < D; ++i) to.at[i] = from[int(i)];
+            return to;
+        }
+        Vector vector(std::uint32_t particle, std::size_t field) const {
+            const auto from = Lanes::particle_vector(particle, field);
+            return Vector::map([&](int i) { return from.at[i]; });
+        }
+        template <class Visit> void each_link(const Visit& visit) const {
+            for (std::uint32_t k = 0; k < pack_.links; ++k) visit(k, pack_.rows[k]);
+        }
+        static double norm(const Vector& v) { return sinew::norm(v); }
     };
-    Lane lanes_of(std::uint32_t component) const {
+    Lane lane_of(std::uint32_t component) const {
         const auto [pack, lane] = packs_.place_of(component);
         return {packs_.list[pack], std::size_t(lane)};
     }
@@ -122,23 +148,13 @@ template <int D, class Real> class LinkResponse {
         const auto is_same = [&](Row slot) { return links_.component_of[slot] == component; };
         return component != none && std::ranges::none_of(slots.first(i), is_same);
     }
-    template <class Visit> static void each(const Lane& lane, Visit&& visit) {
-        for (std::uint32_t k = 0; k < lane.size(); ++k) visit(k);
-    }
-    /// Share of the displacement which the links of a component take back.
-    double held_back(std::uint32_t component, std::span<const Row> slots, std::span<const Vector> pushes) const {
-        const auto lane = lanes_of(component);
-        const auto change = [&](std::uint32_t k) {
-            double sum = 0;
-            for (std::size_t i = 0; i < slots.size(); ++i)
-                if (const double weight = lane.pull(k, slots[i]); weight != 0)
-                    sum += weight * dot(lane.along(k), pushes[i]);
-            return lane.is_active(k) ? sum : 0;
-        };
-        each(lane, [&](std::uint32_t k) { lane.set_right(k, change(k)); });
-        lane.solve();
+    double along(std::uint32_t component, std::span<const Row> slots, std::span<const Vector> pushes) const {
+        const auto lane = lane_of(component);
+        lane.respond(slots, pushes);
         double sum = 0;
-        each(lane, [&](std::uint32_t k) { sum += change(k) * lane.right(k); });
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            if (links_.component_of[slots[i]] == component)
+                sum += dot(pushes[i], lane.displacement(lane.number_of(slots[i])));
         return sum;
     }
 };

@@ -2,6 +2,7 @@
 
 #include "sinew/math/sort.h"
 #include "sinew/math/union_find.h"
+#include "sinew/solver/contact/rigid_clusters.h"
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
 
@@ -46,12 +47,15 @@ struct RigidLink {
 struct LinkComponent {
     std::uint32_t first_link = 0, last_link = 0;
     std::uint32_t first_slot = 0, last_slot = 0; ///< range of RigidLinks::slots
+    std::uint32_t first_cluster = 0, last_cluster = 0;
 };
 
-/// Rigid links of the figures that collide, by components, with a skyline for G M^-1 G^T. Components whose skyline is
-/// too wide (meshes) are left to the sweep.
+/// Rigid links of the figures that collide, by components, with a skyline for G M^-1 G^T; links within a rigid cluster
+/// are apart. Components whose skyline is too wide (meshes) are left to the sweep.
 template <int D, class Real> struct RigidLinks {
     std::vector<RigidLink> list;
+    std::vector<RigidLink> inner; ///< links within clusters; their `root` is the cluster
+    RigidClusters<D> clusters;    ///< their particles are slots
     std::vector<LinkComponent> components;
     std::vector<Row> slots;                  ///< by components, in order
     std::vector<std::uint32_t> component_of; ///< per slot that can move; `none` without rigid links
@@ -73,11 +77,30 @@ template <int D, class Real> struct RigidLinks {
             std::swap(found_, last_);
             list = last_.links, is_swept = last_.is_swept, is_exact_ = last_.is_exact;
             order_by_component();
+            find_clusters(world, state);
             keep_narrow(state);
-            list_slots(state);
+            list_slots(state.size());
         }
         is_exact = is_exact_;
         return !is_same;
+    }
+
+    /// The links within clusters, a component to a cluster.
+    void list_inner(RigidLinks& to) const {
+        to.list = inner;
+        to.clusters.begin(component_of.size(), 0);
+        sinew::sort(to.list.begin(), to.list.end(),
+                    [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
+        to.first_at_.assign(component_of.size(), none);
+        to.components.clear();
+        for (std::uint32_t begin = 0, end = 0; begin < to.list.size(); begin = end) {
+            for (; end < to.list.size() && to.list[end].root == to.list[begin].root; ++end) {
+                to.width_of(end);
+                if (to.list[end].is_rope) to.list[end].is_active = false; // as long as the cluster lets it be
+            }
+            to.components.push_back({.first_link = begin, .last_link = end});
+        }
+        to.list_slots(component_of.size());
     }
 
   private:
@@ -136,27 +159,57 @@ template <int D, class Real> struct RigidLinks {
                     [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
     }
 
+    void find_clusters(const World<D, Real>& world, const SweepState<D, Real>& state) {
+        constexpr double exact = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-9;
+        clusters.begin(state.size(), exact);
+        for (const auto& link : list)
+            if (!link.is_rope && link.moves_a && link.moves_b) clusters.add_length(link.a, link.b, link.length);
+        clusters.find([&](std::uint32_t slot) { return cast<double>(world.particles.position[state.row_of[slot]]); });
+    }
+    bool is_inner(const RigidLink& link) const {
+        const auto cluster = clusters.cluster_of(link.a);
+        return link.moves_a && link.moves_b && cluster != none && cluster == clusters.cluster_of(link.b);
+    }
+
     void keep_narrow(const SweepState<D, Real>& state) {
         constexpr std::size_t max_per_link = 100;
         first_at_.assign(state.size(), none);
-        components.clear();
+        components.clear(), inner.clear();
         std::size_t kept = 0;
+        std::uint32_t cluster = 0;
         for (std::size_t begin = 0, end = 0; begin < list.size(); begin = end) {
-            while (end < list.size() && list[end].root == list[begin].root) ++end;
-            const auto kept_before = kept;
+            const Row root = list[begin].root;
+            const auto kept_before = kept, inner_before = inner.size();
+            const auto cluster_before = cluster;
             std::size_t size = 0;
-            for (auto i = begin; i < end; ++i, ++kept) {
-                list[kept] = list[i];
-                size += width_of(std::uint32_t(kept));
+            for (; end < list.size() && list[end].root == root; ++end) {
+                if (is_inner(list[end])) {
+                    inner.push_back(list[end]);
+                    inner.back().root = clusters.cluster_of(list[end].a);
+                    continue;
+                }
+                list[kept] = list[end];
+                size += width_of(std::uint32_t(kept++));
             }
-            if (size > max_per_link * (end - begin)) {
+            while (cluster < clusters.clusters.size() && sets_.first_of(first_of(cluster)) == root) ++cluster;
+            if (size > max_per_link * (kept - kept_before)) {
                 for (auto i = kept_before; i < kept; ++i) leave_to_sweep(list[i]);
-                kept = kept_before;
+                for (auto i = inner_before; i < inner.size(); ++i) leave_to_sweep(inner[i]);
+                kept = kept_before, inner.resize(inner_before);
                 continue;
             }
-            components.push_back({.first_link = std::uint32_t(kept_before), .last_link = std::uint32_t(kept)});
+            components.push_back({.first_link = std::uint32_t(kept_before),
+                                  .last_link = std::uint32_t(kept),
+                                  .first_cluster = cluster_before,
+                                  .last_cluster = cluster});
         }
         list.resize(kept);
+    }
+    Row first_of(std::uint32_t cluster) const { return clusters.members[clusters.clusters[cluster].first].particle; }
+    /// A particle that stands for all that move together.
+    Row body_of(Row slot) const {
+        const auto cluster = clusters.cluster_of(slot);
+        return cluster == none ? slot : first_of(cluster);
     }
     void leave_to_sweep(const RigidLink& link) {
         is_exact_[link.a] = is_exact_[link.b] = 0;
@@ -168,15 +221,16 @@ template <int D, class Real> struct RigidLinks {
         link.first = k;
         for (const auto& [slot, moves] : {std::pair{link.a, link.moves_a}, {link.b, link.moves_b}}) {
             if (!moves) continue;
-            if (first_at_[slot] == none) first_at_[slot] = k;
-            link.first = std::min(link.first, first_at_[slot]);
+            auto& first = first_at_[body_of(slot)];
+            if (first == none) first = k;
+            link.first = std::min(link.first, first);
         }
         return k - link.first;
     }
 
-    void list_slots(const SweepState<D, Real>& state) {
+    void list_slots(std::size_t count) {
         slots.clear();
-        component_of.assign(state.size(), none);
+        component_of.assign(count, none);
         for (std::uint32_t i = 0; i < components.size(); ++i) {
             auto& component = components[i];
             component.first_slot = std::uint32_t(slots.size());
@@ -185,6 +239,11 @@ template <int D, class Real> struct RigidLinks {
                 if (list[k].moves_a) component_of[list[k].a] = i;
                 if (list[k].moves_b) component_of[list[k].b] = i;
             }
+            for (auto c = component.first_cluster; c < component.last_cluster; ++c)
+                for (auto m = clusters.clusters[c].first; m < clusters.clusters[c].last; ++m) {
+                    slots.push_back(clusters.members[m].particle);
+                    component_of[slots.back()] = i;
+                }
             const auto first = slots.begin() + component.first_slot;
             sinew::sort(first, slots.end());
             slots.erase(std::unique(first, slots.end()), slots.end());

@@ -15,7 +15,9 @@ namespace {
 template <int D, class V> class LinkLanes {
   public:
     using Fields = LinkFields<D>;
+    static constexpr int spins = int(Fields::spins);
     using Vector = lane::Arrow<D, V>;
+    using Spin = lane::Arrow<spins, V>;
 
     LinkLanes(const LinkPack<D>& pack, std::size_t first_lane) : pack_(pack), lane_(first_lane) {}
 
@@ -23,16 +25,32 @@ template <int D, class V> class LinkLanes {
     void set_particle(std::size_t i, std::size_t field, const V& to) const { put(pack_.of_particle(i, field), to); }
     V link(std::size_t i, std::size_t field) const { return get(pack_.of_link(i, field)); }
     void set_link(std::size_t i, std::size_t field, const V& to) const { put(pack_.of_link(i, field), to); }
+    V cluster(std::size_t i, std::size_t field) const { return get(pack_.of_cluster(i, field)); }
+    void set_cluster(std::size_t i, std::size_t field, const V& to) const { put(pack_.of_cluster(i, field), to); }
     V energy() const { return get(pack_.energy()); }
     void set_energy(const V& to) const { put(pack_.energy(), to); }
 
-    Vector particle_vector(std::size_t i, std::size_t field) const { return get_vector(pack_.of_particle(i, field)); }
-    void set_particle_vector(std::size_t i, std::size_t field, const Vector& to) const {
-        put_vector(pack_.of_particle(i, field), to);
+    Vector particle_vector(std::size_t i, std::size_t field) const {
+        return get_numbers<D>(pack_.of_particle(i, field));
     }
-    Vector link_vector(std::size_t i, std::size_t field) const { return get_vector(pack_.of_link(i, field)); }
+    void set_particle_vector(std::size_t i, std::size_t field, const Vector& to) const {
+        put_numbers(pack_.of_particle(i, field), to);
+    }
+    Vector link_vector(std::size_t i, std::size_t field) const { return get_numbers<D>(pack_.of_link(i, field)); }
     void set_link_vector(std::size_t i, std::size_t field, const Vector& to) const {
-        put_vector(pack_.of_link(i, field), to);
+        put_numbers(pack_.of_link(i, field), to);
+    }
+    Spin link_spin(std::size_t i, std::size_t field) const { return get_numbers<spins>(pack_.of_link(i, field)); }
+    void set_link_spin(std::size_t i, std::size_t field, const Spin& to) const {
+        put_numbers(pack_.of_link(i, field), to);
+    }
+    Vector cluster_vector(std::size_t i, std::size_t field) const { return get_numbers<D>(pack_.of_cluster(i, field)); }
+    void set_cluster_vector(std::size_t i, std::size_t field, const Vector& to) const {
+        put_numbers(pack_.of_cluster(i, field), to);
+    }
+    Spin cluster_spin(std::size_t i, std::size_t field) const { return get_numbers<spins>(pack_.of_cluster(i, field)); }
+    void set_cluster_spin(std::size_t i, std::size_t field, const Spin& to) const {
+        put_numbers(pack_.of_cluster(i, field), to);
     }
 
     static V number(double x) { return lane::spread<V>(x); }
@@ -84,25 +102,55 @@ template <int D, class V> class LinkLanes {
     void put(double* to, const V& number) const {
         lane::store(to + lane_, number);
     }
-    Vector get_vector(const double* from) const {
-        Vector v;
-        for (std::size_t k = 0; k < D; ++k) v.at[k] = get(from + k * pack_.stride);
+
+  protected:
+    template <int N> lane::Arrow<N, V> get_numbers(const double* from) const {
+        lane::Arrow<N, V> v;
+        for (std::size_t k = 0; k < N; ++k) v.at[k] = get(from + k * pack_.stride);
         return v;
     }
-    void put_vector(double* to, const Vector& v) const {
-        for (std::size_t k = 0; k < D; ++k) put(to + k * pack_.stride, v.at[k]);
+    template <int N> void put_numbers(double* to, const lane::Arrow<N, V>& v) const {
+        for (std::size_t k = 0; k < N; ++k) put(to + k * pack_.stride, v.at[k]);
     }
 
+  private:
+    /// End of a link, for what couples with others there.
+    struct End {
+        std::uint32_t particle, cluster;
+        std::size_t weight, lever, turned;
+        bool is_of_body(const End& other) const {
+            return cluster == LinkRow::none ? particle == other.particle : cluster == other.cluster;
+        }
+    };
+    static End end_a(const LinkRow& row) {
+        return {row.a, row.cluster_a, Fields::weight_a, Fields::lever_a, Fields::turned_a};
+    }
+    static End end_b(const LinkRow& row) {
+        return {row.b, row.cluster_b, Fields::weight_b, Fields::lever_b, Fields::turned_b};
+    }
     V coupling(std::uint32_t i, std::uint32_t j) const {
         const auto &k = pack_.rows[i], &m = pack_.rows[j];
-        V sum{};
-        if (k.a == m.a) sum = sum + link(i, Fields::weight_a);
-        if (k.b == m.b) sum = sum + link(i, Fields::weight_b);
-        if (k.a == m.b) sum = sum - link(i, Fields::weight_a);
-        if (k.b == m.a) sum = sum - link(i, Fields::weight_b);
-        if (k.a != m.a && k.b != m.b && k.a != m.b && k.b != m.a) return sum;
-        sum = sum * dot(link_vector(i, Fields::along), link_vector(j, Fields::along));
+        V weight{}, turned{};
+        bool any = false;
+        const auto couple = [&](const End& one, const End& other, const V& sign) {
+            if (!one.is_of_body(other)) return;
+            any = true;
+            weight = weight + sign * link(i, one.weight);
+            if (one.cluster != LinkRow::none)
+                turned = turned + sign * dot(link_spin(i, one.lever), link_spin(j, other.turned));
+        };
+        couple(end_a(k), end_a(m), number(1)), couple(end_b(k), end_b(m), number(1));
+        couple(end_a(k), end_b(m), number(-1)), couple(end_b(k), end_a(m), number(-1));
+        if (!any) return weight;
+        const V sum = weight * dot(link_vector(i, Fields::along), link_vector(j, Fields::along)) + turned;
         return sum * (link(i, Fields::active) * link(j, Fields::active));
+    }
+    /// Effective inverse mass of a link.
+    V weight_of(std::uint32_t k, const LinkRow& row) const {
+        V weight = link(k, Fields::weight_a) + link(k, Fields::weight_b);
+        for (const auto& end : {end_a(row), end_b(row)})
+            if (end.cluster != LinkRow::none) weight = weight + dot(link_spin(k, end.lever), link_spin(k, end.turned));
+        return weight;
     }
 
     /// The diagonal is raised by a little: redundant links share their load, and the links of a straight rope held at
@@ -111,7 +159,7 @@ template <int D, class V> class LinkLanes {
     void factorise_row(std::uint32_t k) const {
         constexpr double softness = D == 3 ? 1e-6 : 1e-7;
         const auto& row = pack_.rows[k];
-        V pivot = (link(k, Fields::weight_a) + link(k, Fields::weight_b)) * number(1 + softness);
+        V pivot = weight_of(k, row) * number(1 + softness);
         for (auto m = row.first; m < k; ++m) {
             const auto& other = pack_.rows[m];
             V sum = coupling(k, m);

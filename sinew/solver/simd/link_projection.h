@@ -11,6 +11,7 @@ namespace {
 template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> {
     using Solution = LinkSolution<D, V>;
     using Fields = LinkFields<D>;
+    using Clusters = typename Solution::Clusters;
     using Solution::activate, Solution::apply, Solution::apply_within, Solution::release;
     using Solution::between, Solution::blend, Solution::displacement, Solution::each_link, Solution::norm;
     using Solution::energy_in, Solution::frame, Solution::slight, Solution::slow_down, Solution::width;
@@ -30,6 +31,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
             set_particle(i, Fields::mobility, mobility);
             set_particle(i, Fields::mass, inverse_or_zero(mobility));
         }
+        Clusters::find_centres();
         measure();
         take_directions(live_);
         Solution::factorise();
@@ -41,11 +43,13 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     }
     void lengths() {
         load();
+        Clusters::make_rigid(live_);
         Solution::set_energy(energy_in(frame()));
         correct_lengths();
     }
     void lengths_again() {
         load();
+        Clusters::make_rigid(live_);
         correct_lengths();
     }
     void restore() {
@@ -152,6 +156,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     [[gnu::always_inline]] Mask measure_here() const {
         Vector at[2];
         V changed{};
+        if (pack_.clusters > 0) changed = pose_changed() ? number(1) : changed;
         each_link([&](std::uint32_t k, const LinkRow& row) {
             for (std::size_t c = 0; c < D; ++c) {
                 const Real* const column = columns_.position + c * columns_.stride;
@@ -170,21 +175,36 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
         });
         return changed > V{};
     }
+    [[gnu::flatten, gnu::noinline]] Mask pose_changed() const {
+        const LinkProjection here = *this;
+        here.find_poses([&](std::uint32_t i) {
+            Vector at;
+            for (std::size_t c = 0; c < D; ++c) at.at[c] = here.gather(columns_.position + c * columns_.stride, i);
+            return at;
+        });
+        return here.have_turned(number(slightly_turned));
+    }
     /// Directions of the edges, and inverse masses.
     [[gnu::flatten, gnu::noinline]] void take_directions(const Mask& mask) const {
+        const auto weight_of = [&](std::uint32_t i, std::uint32_t c) {
+            return c == LinkRow::none ? particle(i, Fields::mobility) : Solution::cluster(c, Fields::per_mass);
+        };
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const Vector edge = link_vector(k, Fields::edge);
             set_link_vector(k, Fields::along,
                             blend(mask, edge * inverse_or_zero(norm(edge)), link_vector(k, Fields::along)));
-            set_link(k, Fields::weight_a, particle(row.a, Fields::mobility));
-            set_link(k, Fields::weight_b, particle(row.b, Fields::mobility));
+            set_link(k, Fields::weight_a, weight_of(row.a, row.cluster_a));
+            set_link(k, Fields::weight_b, weight_of(row.b, row.cluster_b));
+            Clusters::take_levers(k, row, mask);
         });
+        Clusters::take_rotations(mask);
     }
     void turn_gradients(const Mask& mask) const {
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const Vector edge = link_vector(k, Fields::edge) + between(row);
             set_link_vector(k, Fields::along,
                             blend(mask, edge * inverse_or_zero(norm(edge)), link_vector(k, Fields::along)));
+            Clusters::take_levers(k, row, mask, true);
         });
         Solution::factorise();
     }
@@ -197,10 +217,16 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     }
     [[gnu::always_inline]] void take_rates_here() const {
         each_link([&](std::uint32_t k, const LinkRow& row) {
-            set_link(k, Fields::right, dot(link_vector(k, Fields::along), between(row)) * link(k, Fields::active));
+            set_link(k, Fields::right, Clusters::rate(k, row) * link(k, Fields::active));
         });
     }
-    [[gnu::flatten, gnu::noinline]] void project_velocities(Mask live) const {
+    void project_velocities(const Mask& live) const {
+        Clusters::make_rigid(live);
+        if (pack_.links == 0) return;
+        hold_links(live);
+        Clusters::spread(live, Fields::move, Fields::turn);
+    }
+    [[gnu::flatten, gnu::noinline]] void hold_links(Mask live) const {
         for (int i = 0; i < max_rounds; ++i) {
             take_rates();
             Solution::solve();
@@ -211,8 +237,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
             live = Solution::either(released, activate(applied, [&](std::uint32_t k, const LinkRow& row) {
                                         const V length = link(k, Fields::length);
                                         return lane::both(norm(link_vector(k, Fields::edge)) >= length * number(taut),
-                                                          dot(link_vector(k, Fields::along), between(row)) >
-                                                              length * number(slight));
+                                                          Clusters::rate(k, row) > length * number(slight));
                                     }));
             if (!lane::any(live)) return;
         }
@@ -221,6 +246,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     void correct_lengths() {
         for (std::uint32_t i = 0; i < pack_.particles; ++i)
             set_particle_vector(i, Fields::before, blend(live_, displacement(i), particle_vector(i, Fields::before)));
+        Clusters::pose(live_);
         project_lengths();
         store();
     }
@@ -249,7 +275,9 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
             if (!lane::any(live)) return;
             Solution::solve();
             const Mask released = i + 1 < all_rounds ? release(live) : lane::without(live, live);
-            apply_within(lane::without(live, released));
+            const Mask applied = lane::without(live, released);
+            apply_within(applied);
+            Clusters::pose(applied);
         }
     }
 

@@ -1,24 +1,25 @@
 #pragma once
 
-#include "sinew/solver/simd/link_factor.h"
+#include "sinew/solver/simd/link_clusters.h"
 
 namespace sinew {
 namespace {
 
 /// Solutions of the links of the components in the lanes of V: applied to the particles, with ropes that pull only by
 /// an active set. A component that is not in the mask of a function stays as it is.
-template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
+template <int D, class V> class LinkSolution : protected LinkClusters<D, V> {
   protected:
+    using Clusters = LinkClusters<D, V>;
     using Lanes = LinkLanes<D, V>;
     using Fields = LinkFields<D>;
+    using Clusters::blend, Clusters::norm, Clusters::pull, Clusters::note_pull;
     using Lanes::number, Lanes::inverse_or_zero, Lanes::link, Lanes::set_link, Lanes::particle, Lanes::pack_;
     using Lanes::particle_vector, Lanes::set_particle_vector, Lanes::link_vector;
-    using typename Lanes::Vector;
-    using Mask = decltype(V{} < V{});
+    using typename Clusters::Mask, typename Clusters::Vector;
     static constexpr std::size_t width = sizeof(V) / sizeof(double);
     static constexpr double slight = 1e-9; ///< change of a link that counts as none, as a share of its length
 
-    using Lanes::Lanes;
+    using Clusters::Clusters;
 
     static Mask either(const Mask& a, const Mask& b) {
         if constexpr (width == 1)
@@ -28,12 +29,6 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
     }
     Vector displacement(std::size_t i) const { return particle_vector(i, Fields::displacement); }
     Vector between(const LinkRow& row) const { return displacement(row.b) - displacement(row.a); }
-    static V norm(const Vector& v) { return lane::root(dot(v, v)); }
-    static Vector blend(const Mask& mask, const Vector& a, const Vector& b) {
-        Vector v;
-        for (int k = 0; k < D; ++k) v.at[k] = mask ? a.at[k] : b.at[k];
-        return v;
-    }
     template <class Visit> void each_link(Visit&& visit) const {
         for (std::uint32_t k = 0; k < pack_.links; ++k) visit(k, pack_.rows[k]);
     }
@@ -47,12 +42,9 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
     [[gnu::always_inline]] void apply_here(const Mask mask) const {
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const V right = mask ? link(k, Fields::right) : V{};
-            const Vector along = link_vector(k, Fields::along);
             set_link(k, Fields::tension, link(k, Fields::tension) + right);
-            set_particle_vector(row.a, Fields::displacement,
-                                displacement(row.a) + along * (right * link(k, Fields::weight_a)));
-            set_particle_vector(row.b, Fields::displacement,
-                                displacement(row.b) - along * (right * link(k, Fields::weight_b)));
+            pull(k, row, right, Fields::displacement, Fields::move, Fields::turn);
+            note_pull(k, row, right);
         });
     }
     /// Applies at most such a share of the solution that no link changes by more than `max_change` of its length.
@@ -62,27 +54,28 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
     }
     [[gnu::always_inline]] void apply_within_here(const Mask mask) const {
         constexpr double max_change = 0.2;
-        for (std::size_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::added, Vector{});
+        Clusters::clear_added();
         each_link([&](std::uint32_t k, const LinkRow& row) {
-            const Vector along = link_vector(k, Fields::along);
-            const V right = link(k, Fields::right);
-            set_particle_vector(row.a, Fields::added,
-                                particle_vector(row.a, Fields::added) + along * (right * link(k, Fields::weight_a)));
-            set_particle_vector(row.b, Fields::added,
-                                particle_vector(row.b, Fields::added) - along * (right * link(k, Fields::weight_b)));
+            pull(k, row, link(k, Fields::right), Fields::added, Fields::added_move, Fields::added_turn);
         });
         V largest{};
         each_link([&](std::uint32_t k, const LinkRow& row) {
-            const Vector change = particle_vector(row.b, Fields::added) - particle_vector(row.a, Fields::added);
+            const Vector change = added_at(row.b, row.cluster_b) - added_at(row.a, row.cluster_a);
             largest = lane::max(largest, norm(change) * link(k, Fields::per_length));
         });
         V share = largest > number(max_change) ? number(max_change) / largest : number(1);
         share = mask ? share : V{};
-        each_link([&](std::uint32_t k, const LinkRow&) {
-            set_link(k, Fields::tension, link(k, Fields::tension) + link(k, Fields::right) * share);
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            const V right = link(k, Fields::right) * share;
+            set_link(k, Fields::tension, link(k, Fields::tension) + right);
+            note_pull(k, row, right);
         });
         for (std::size_t i = 0; i < pack_.particles; ++i)
             set_particle_vector(i, Fields::displacement, displacement(i) + particle_vector(i, Fields::added) * share);
+        Clusters::add(share);
+    }
+    Vector added_at(std::uint32_t i, std::uint32_t c) const {
+        return c == LinkRow::none ? particle_vector(i, Fields::added) : Clusters::added_at(i, c);
     }
 
     // --- ropes -------------------------------------------------------------------------------------------------------
@@ -94,8 +87,8 @@ template <int D, class V> class LinkSolution : protected LinkLanes<D, V> {
         each_link([&](std::uint32_t k, const LinkRow& row) {
             if (row.is_rope == 0) return;
             const V active = link(k, Fields::active);
-            const V pull = link(k, Fields::tension) + link(k, Fields::right) * number(1 + slight);
-            const Mask pushes = lane::both(mask, lane::both(active > V{}, pull < V{}));
+            const V tension = link(k, Fields::tension) + link(k, Fields::right) * number(1 + slight);
+            const Mask pushes = lane::both(mask, lane::both(active > V{}, tension < V{}));
             set_link(k, Fields::active, pushes ? V{} : active);
             any = pushes ? number(1) : any;
         });
