@@ -1,11 +1,9 @@
-#include "sinew/session/session.h"
+#include "tools/scene_of_file.h"
 
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <span>
 
 // scene_hash LENGTH SCENE [KEY=VALUE...]: prints the hash of the final world, and nothing else. LENGTH is in seconds
@@ -16,11 +14,6 @@
 namespace {
 
 using namespace sinew;
-
-std::string text_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 int fail(const char* what, const std::string& which) {
     std::fprintf(stderr, "scene_hash: %s %s\n", what, which.c_str());
@@ -54,19 +47,11 @@ int main(int count, char** words) {
     if (count < 3) return fail("usage: scene_hash LENGTH", "SCENE [KEY=VALUE...]");
     const auto options = wanted_options();
     if (!options) return fail("has not", std::getenv("SINEW_SIMD"));
-    const std::string path = words[2], folder = path.substr(0, path.rfind('/') + 1);
+    const std::string path = words[2];
     std::vector<Override> overrides;
     for (const char* word : std::span(words, std::size_t(count)).subspan(3)) overrides.push_back({word});
 
-    auto document = load(text_of(path), path, overrides);
-    // images do not affect the motion
-    const auto any_image = [](const std::string&, const Limits&) {
-        return ReadImage{with_halves({1, 1, {0xffffffff}}), "", ""};
-    };
-    const auto model = [&](const std::string& name, const Limits& limits) {
-        return read_model(text_of(folder + name), name, limits);
-    };
-    auto opened = open_scene(document, any_image, model);
+    auto opened = tools::scene_of_file(path, overrides);
     if (!opened) return fail("cannot open", path);
     const auto steps = steps_of(words[1], opened->scene.solver.rate);
     Session session(std::move(*opened));

@@ -1,15 +1,16 @@
-#include "sinew/session/session.h"
 #include "sinew/world/edit.h"
+
+#include "tools/scene_of_file.h"
 
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <random>
 #include <span>
 #include <string>
@@ -31,25 +32,10 @@ namespace {
 using namespace sinew;
 using Clock = std::chrono::steady_clock;
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 Session opened(const std::filesystem::path& path) {
-    auto document = load(text_of(path), path.string());
-    const auto any_image = [](const std::string&, const Limits&) {
-        return ReadImage{with_halves({1, 1, {0xffffffff}}), "", ""};
-    };
-    const auto model = [&](const std::string& name, const Limits& limits) {
-        return read_model(text_of(path.parent_path() / name), name, limits);
-    };
-    auto opened = open_scene(document, any_image, model);
-    if (!opened) {
-        std::fputs(to_text(document.diagnostics).c_str(), stderr);
-        std::exit(1);
-    }
-    return Session(std::move(*opened));
+    auto scene = tools::scene_of_file(path);
+    if (!scene) std::exit(1);
+    return Session(std::move(*scene));
 }
 
 /// Private memory in use, megabytes: what the allocator keeps for later is given back first.
@@ -150,7 +136,7 @@ class Turn {
 
     void change_settings() {
         auto scene = session_.scene();
-        scene.solver.substeps = 1 + std::int64_t(random_() % 8);
+        scene.solver.substeps = 1 + int(random_() % 8);
         scene.world.gravity[0] = (share() - 0.5) * scene.world.gravity[1];
         session_.become(std::move(scene));
     }

@@ -1,11 +1,10 @@
-#include "sinew/session/session.h"
+#include "tools/scene_of_file.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,26 +21,11 @@ using namespace sinew;
 constexpr double allowed = 4; // medians
 constexpr int max_runs = 6;
 
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 Session opened(const std::filesystem::path& path, const std::string& mode) {
     const Override choice{"mode=" + mode};
-    auto document = load(text_of(path), path.string(), std::span(&choice, 1));
-    const auto any_image = [](const std::string&, const Limits&) {
-        return ReadImage{with_halves({1, 1, {0xffffffff}}), "", ""};
-    };
-    const auto model = [&](const std::string& name, const Limits& limits) {
-        return read_model(text_of(path.parent_path() / name), name, limits);
-    };
-    auto opened = open_scene(document, any_image, model);
-    if (!opened) {
-        std::fputs(to_text(document.diagnostics).c_str(), stderr);
-        std::exit(1);
-    }
-    return Session(std::move(*opened));
+    auto scene = tools::scene_of_file(path, std::span(&choice, 1));
+    if (!scene) std::exit(1);
+    return Session(std::move(*scene));
 }
 
 /// Time of the processor, milliseconds.

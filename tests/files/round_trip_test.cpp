@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// Where the particles of an imported scene begin, in 3D, metres.
+/// First positions of the particles of an imported scene, in 3D, metres.
 Positions imported_positions(const files::Imported& imported) {
     std::string why;
     auto opened = open_imported(imported, &why);

@@ -66,11 +66,6 @@ template <int D, class V> class LinkClusters : protected LinkLanes<D, V> {
         for (std::size_t k = 0; k < Fields::inertias; ++k) m.at[k] = cluster(c, field + k);
         return m;
     }
-    Matrix matrix(std::uint32_t c, std::size_t field) const {
-        Matrix m;
-        for (std::size_t k = 0; k < D * D; ++k) m.at[k] = cluster(c, field + k);
-        return m;
-    }
     template <class M> void set_matrix(std::uint32_t c, std::size_t field, const M& to) const {
         for (std::size_t k = 0; k < sizeof(to.at) / sizeof(V); ++k) set_cluster(c, field + k, to.at[k]);
     }

@@ -35,7 +35,7 @@ template <int D> struct LinkFields {
     static constexpr std::size_t displacement = 0, before = D; ///< before: the lengths were corrected
     static constexpr std::size_t added = 2 * D;                ///< correction
     static constexpr std::size_t mobility = 3 * D, mass = mobility + 1;
-    // Those of a member of a cluster, zero in others.
+    // Numbers of a member of a cluster, zero in other particles.
     static constexpr std::size_t arm = mass + 1;  ///< from the centre of mass, in the cluster's pose
     static constexpr std::size_t off = arm + D;   ///< from the position to the place in that pose
     static constexpr std::size_t held = off + D;  ///< displacement by the links of the cluster in this substep
