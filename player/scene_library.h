@@ -29,7 +29,7 @@ struct Fetched {
 struct Converted {
     std::filesystem::path scene;
     std::string problem;
-    std::string message; ///< what the scene has, and what it could not take
+    std::string message; ///< contents of the scene, and the parts not taken
 };
 
 /// The source of scenes, and other programs' files in and out.

@@ -25,7 +25,7 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
 
-/// Seconds of all frames so far, by what took them.
+/// Seconds of all frames so far, by their cause.
 struct FrameTimes {
     std::int64_t frames = 0;
     double shown = 0, stepping = 0, gathering = 0, painting = 0;

@@ -23,7 +23,7 @@ void assertion_failed(const char* file, int line, const char* text);
 #endif
 
 #if SINEW_ASSERTIONS
-/// The text says what is assumed.
+/// The text names the assumption.
 #define SINEW_ASSERT(condition, text)                                                                                  \
     ((condition) ? static_cast<void>(0) : ::sinew::assertion_failed(__FILE__, __LINE__, text))
 #else

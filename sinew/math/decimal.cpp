@@ -171,7 +171,7 @@ Digits round(double number, int count) {
         digits.digits += digit;
         above.multiply(10);
     }
-    below.multiply(5); // half of what `above` was multiplied by
+    below.multiply(5); // half of the factor of `above`
     const bool is_odd = (digits.digits.back() - '0') % 2 == 1;
     if (below < above || (is_odd && !(above < below))) {
         auto last = digits.digits.rbegin();

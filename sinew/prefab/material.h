@@ -29,7 +29,7 @@ struct Elasticity {
     }
 };
 
-/// Strength of links: what they bear without tearing.
+/// Strength of links: the load that they bear without tearing.
 struct Strength {
     double breaking_strain = 0; ///< 0 for never; a rigid link has no strain
     double break_force = 0;     ///< N (N m for angles); 0 for never

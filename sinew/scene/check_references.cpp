@@ -241,7 +241,7 @@ template <int D, class Real> class ReferenceCheck {
         if (!with.empty() && !is_bounds && !collider_called(world_, with) && !find_figure(world_, with))
             side(with, place + "/with");
     }
-    /// Reports what is neither a particle nor, as there is none of the name, a figure or a collider.
+    /// Reports a name of no particle, no figure and no collider.
     void side(const std::string& name, const std::string& place) {
         if (name.find('/') != std::string::npos) return particle(name, place);
         if (is_incomplete("")) return;

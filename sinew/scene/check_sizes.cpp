@@ -26,7 +26,7 @@ Sizes sizes_of(const FigureSection& figure) {
     return sizes;
 }
 
-/// Compares the numbers of what a scene would have with the limits.
+/// Compares the sizes that a scene would have with the limits.
 class SizeCheck {
   public:
     SizeCheck(const Scene& scene, Document& document) : scene_(scene), document_(document) {}

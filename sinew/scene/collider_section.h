@@ -141,7 +141,7 @@ struct HeightFieldShape {
     }
 };
 
-/// Motion of a collider; what it touches is carried along.
+/// Motion of a collider; bodies that touch it are carried along.
 struct MotionSection {
     double spin = 0;
     std::optional<Driver> driver;

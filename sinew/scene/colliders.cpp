@@ -95,7 +95,7 @@ template <int D, class Real> struct ShapesOf {
     }
 };
 
-/// Reports what is wrong with a shape.
+/// Reports the faults of a shape.
 struct ShapeCheck {
     std::size_t index;
     int dimension;

@@ -65,7 +65,7 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, R
 template <int D, class Real> void find_ports(World<D, Real>& world, Solver<D, Real>& solver);
 template <int D, class Real> void tie_ports(World<D, Real>& world, Solver<D, Real>& solver);
 
-/// free_bodies.cpp: after planning, finds what nothing holds.
+/// free_bodies.cpp: after planning, finds bodies that nothing holds.
 template <int D, class Real> void find_free_bodies(World<D, Real>& world, Solver<D, Real>& solver);
 
 /// drive.cpp: finds out if any limit is driven or has a maximum force; advances driven limits; shifts the limits of

@@ -42,7 +42,7 @@ template <int D, class Real> struct Solver {
     std::shared_ptr<SleepRoom<D, Real>> sleep;      ///< bodies that may fall asleep; none before the first
     std::shared_ptr<AloneRoom<D, Real>> alone;      ///< bodies that may be far from all others; none before the first
     std::shared_ptr<DampedBodies> damped;           ///< of figures with internal damping; none before the first
-    std::shared_ptr<WindAreas> wind_areas;          ///< what winds press on; none before the first
+    std::shared_ptr<WindAreas> wind_areas;          ///< areas that winds press on; none before the first
     std::vector<Vec<D, Real>> scratch;              ///< points and gradients of the widest constraint
     std::vector<char> torn;                         ///< by row of a table: to be removed at the end of the step
     std::vector<char> stays;                        ///< classic mode, by row: moved by the pin alone

@@ -26,7 +26,7 @@ template <int D, class Real> class CandidateSearch {
     Real time_ahead() const { return list_.horizon - min(list_.age, list_.horizon) + Real(2) * list_.h; }
 
     Real size_of(std::uint32_t particle) const { return room_.particles[particle].radius; }
-    /// A filled area pushes out what is in its skin.
+    /// A filled area pushes out the points in its skin.
     Real size_of(const ContactSegment& s) const {
         const Real radius = min(room_.particles[s.number_a].radius, room_.particles[s.number_b].radius);
         return s.side != 0 ? radius + Real(2) * list_.widest : radius;

@@ -7,7 +7,7 @@
 /// Multipliers of contacts between steps, in the world, and between substeps, beside the list of candidates.
 namespace sinew {
 
-/// Forgets all contacts but those of what is asleep.
+/// Forgets all contacts but those of sleeping bodies.
 template <int D, class Real> void forget_contacts(World<D, Real>& world) {
     for (auto* contacts : {&world.contacts.kept, &world.contacts.passing})
         std::erase_if(*contacts,

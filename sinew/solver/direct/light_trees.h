@@ -45,7 +45,7 @@ template <int D> class LightTrees {
     bool is_leaf(std::uint32_t i) const { return blocks_.first_entry[i + 1] == blocks_.first_entry[i] + 1; }
     std::uint32_t parent(std::uint32_t i) const { return blocks_.entries[blocks_.first_entry[i]].node; }
 
-    /// Immovable nodes, angles and cables hold what they act on.
+    /// Immovable nodes, angles and cables hold the nodes that they act on.
     void begin() {
         for (auto i = block_.first_node; i < end(); ++i) node(i).behind = node(i).mass;
         for (const auto& link : links())

@@ -91,7 +91,7 @@ template <int D, class Real> class BlockSubstep {
         return kinetic - solve_.kinetic();
     }
 
-    /// Reports what colliders have pushed, after the solve of the positions; and of the velocities.
+    /// Reports the pushes of colliders, after the solve of the positions; and of the velocities.
     void report_pressures() { contact_.report_pressures(solve_.links().stiffness()); }
     void report_rebounds() { contact_.report_rebounds(velocity_stiffness(solve_)); }
 

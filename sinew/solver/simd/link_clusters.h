@@ -213,7 +213,7 @@ template <int D, class V> class LinkClusters : protected LinkLanes<D, V> {
         return cluster_vector(c, Fields::added_move) +
                swept(cluster_spin(c, Fields::added_turn), particle_vector(i, Fields::arm));
     }
-    /// Moves the clusters by a share of what has been added.
+    /// Moves the clusters by a share of the added motion.
     [[gnu::flatten, gnu::noinline]] void add(const V& share) const {
         each_cluster([&](std::uint32_t c) {
             set_cluster_vector(c, Fields::move,

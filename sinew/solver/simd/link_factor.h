@@ -114,7 +114,7 @@ template <int D, class V> class LinkLanes {
     }
 
   private:
-    /// End of a link, for what couples with others there.
+    /// End of a link, for rows that couple there.
     struct End {
         std::uint32_t particle, cluster;
         std::size_t weight, lever, turned;

@@ -80,7 +80,7 @@ template <int D, class V> class LinkSolution : protected LinkClusters<D, V> {
 
     // --- ropes -------------------------------------------------------------------------------------------------------
 
-    /// Lets go what would push. Lanes in which anything did.
+    /// Lets go the rows that would push. Lanes in which any did.
     Mask release(const Mask& mask) const {
         if (!pack_.has_ropes) return lane::without(mask, mask);
         V any{};

@@ -232,7 +232,7 @@ template <int D, class Real> class AloneFinder {
     }
     Real low(std::uint32_t i, int axis) const { return room_.boxes[i].low[axis]; }
 
-    /// Marks what overlaps, and lists who did not until now.
+    /// Marks the bodies that overlap, and lists who did not until now.
     void meet_neighbours() {
         const auto& order = room_.order;
         for (std::size_t i = 0; i < order.size(); ++i) {

@@ -8,7 +8,7 @@
 
 namespace sinew::detail {
 
-/// Box around what a body passes over in a step, as far as its present velocities tell, and its speed.
+/// Box around the places that a body passes over in a step, as far as its present velocities tell, and its speed.
 template <int D, class Real> struct BodyBox {
     collide::BoundingBox<D, Real> box;
     Vec<D, Real> slowest = Vec<D, Real>::map([](int) { return collide::BoundingBox<D, Real>::huge; });

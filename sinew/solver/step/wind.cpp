@@ -104,7 +104,7 @@ template <int D, class Real> class WindAreaFinder {
                                   std::array<Row, 2>{std::min(a, b), std::max(a, b)});
     }
 
-    /// Lines, and outlines of what is filled in 2D.
+    /// Lines, and outlines of filled figures in 2D.
     void add_lines(const Piece& piece) {
         const bool is_closed = piece.mark == Mark::loop || piece.mark == Mark::fill;
         const bool is_line = is_closed || piece.mark == Mark::stroke || piece.mark == Mark::curve ||
@@ -159,7 +159,7 @@ template <int D, class Real> class WindPress {
 
     struct Met {
         Real area = 0;
-        Vector wind{}; ///< what of it presses
+        Vector wind{}; ///< the part that presses
     };
     Met met(const WindArea& area, const Vector& wind) const {
         switch (area.shape) {

@@ -31,7 +31,7 @@ template <int D, class Real> class MomentumKeeper {
         }
     }
 
-    /// Gives back what constraints took, once positions have advanced.
+    /// Gives back the momentum that constraints took, once positions have advanced.
     void restore(std::span<FreeBody<D>> bodies) const {
         for (const auto& body : bodies)
             if (!body.held && !touches(body)) restore(body);

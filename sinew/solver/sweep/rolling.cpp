@@ -38,7 +38,7 @@ template <int D, class Real> void find_rollers(World<D, Real>& world, Solver<D, 
     auto& p = world.particles;
     auto& [rows, is_held] = solver.sweep_state.rolling;
     rows.clear();
-    rows.reserve(p.size()); // what tears away may roll
+    rows.reserve(p.size()); // a particle torn away may roll
     SINEW_ASSERT(p.spin.size() == p.size() && p.turn.size() == p.size(), "the columns of a table have one length");
     for (Row row = 0; row < p.size(); ++row)
         if (p.radius[row] > Real(0) && p.inverse_mass[row] > Real(0) && p.rolls[row] != Rolls::never)
