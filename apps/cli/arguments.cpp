@@ -133,6 +133,7 @@ bool parse(Command& command, std::span<const std::string> arguments) {
     parser.allow_extras();
     try {
         std::vector<std::string> from_the_end(arguments.rbegin(), arguments.rend()); // CLI11 expects the reverse order
+        if (command.takes_options_as_words()) from_the_end.emplace_back("--");
         parser.parse(std::move(from_the_end));
     } catch (const CLI::CallForHelp&) {
         return false;

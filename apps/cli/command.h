@@ -33,6 +33,8 @@ class Command {
     virtual Manual manual() const = 0;
     /// Declares options on an empty parser.
     virtual void declare(CLI::App& parser) = 0;
+    /// True if all arguments are words, options too: another program reads them.
+    virtual bool takes_options_as_words() const { return false; }
     /// Runs the command once the options are read. Returns the exit code; throws CommandError.
     virtual int run() = 0;
 };
@@ -46,7 +48,8 @@ class Command {
     X(play)                                                                                                            \
     X(render)                                                                                                          \
     X(export_scene)                                                                                                    \
-    X(import_scene) X(gallery) X(run) X(record) X(replay) X(diff) X(check) X(info) X(list) X(describe) X(bench)
+    X(import_scene)                                                                                                    \
+    X(gallery) X(run) X(study) X(record) X(replay) X(diff) X(check) X(info) X(list) X(describe) X(bench)
 #endif
 
 namespace command {

@@ -89,6 +89,7 @@ class Batch {
             const py::gil_scoped_release others;
             Workers::run(threads, int(worlds_.size()), [&](int world) { statuses[std::size_t(world)] = work(world); });
         }
+        for (const auto& world : locked_) world->refresh();
         const auto failed =
             std::find_if(statuses.begin(), statuses.end(), [](auto status) { return status != SINEW_OK; });
         if (failed == statuses.end()) return;

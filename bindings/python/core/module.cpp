@@ -17,10 +17,11 @@ PYBIND11_MODULE(_core, module) {
         }))
         .def("copy", [](Simulation& self) { return std::shared_ptr<Simulation>(self.copy()); })
         .def("close", &Simulation::close)
-        .def("restart", [](Simulation& self) { self.call(sinew_restart); })
+        .def("restart", &Simulation::restart)
         .def("step", &Simulation::step)
         .def("run_until", &Simulation::run_until);
     bind_reading(module, type);
+    bind_saving(module, type);
     bind_search(type);
     bind_edit(type);
     bind_painting(module, type);

@@ -8,17 +8,6 @@
 namespace sinew::python {
 namespace {
 
-py::dtype type_of(const sinew_view& view) {
-    if (view.is_integer) return py::dtype::of<std::uint32_t>();
-    return view.number_bytes == 4 ? py::dtype::of<float>() : py::dtype::of<double>();
-}
-
-/// Columns that are computed when asked for, and so are copied.
-bool is_computed(int column) {
-    return column == SINEW_CONSTRAINT_ENDS || column == SINEW_ASLEEP || column == SINEW_TENSION ||
-           column == SINEW_STRAIN;
-}
-
 /// An array on the memory of the simulation, which cannot be written to: edits wake sleeping bodies, and more.
 py::array array_on(const sinew_view& view, const std::vector<py::ssize_t>& shape) {
     pin_memory(view.data);
@@ -26,17 +15,6 @@ py::array array_on(const sinew_view& view, const std::vector<py::ssize_t>& shape
     py::array array(type_of(view), shape, view.data, pin);
     array.attr("setflags")(py::arg("write") = false);
     return array;
-}
-
-py::array column(Simulation& simulation, int number) {
-    const Hold hold(simulation.mutex());
-    sinew_view view{};
-    check(sinew_get_column(simulation.handle(), sinew_column(number), &view));
-    std::vector<py::ssize_t> shape{py::ssize_t(view.rows)};
-    const bool is_table = number <= SINEW_VELOCITY || number == SINEW_CONSTRAINT_ENDS;
-    if (is_table) shape.push_back(py::ssize_t(view.components));
-    if (view.rows == 0 || is_computed(number)) return py::array(type_of(view), shape, view.rows ? view.data : nullptr);
-    return array_on(view, shape);
 }
 
 /// The values of get(index, &value) for 0 <= index < count, as one array.
@@ -161,11 +139,20 @@ template <class Function> py::str text_of(Simulation& simulation, Function funct
 
 } // namespace
 
+py::array Simulation::column(int number) {
+    const Hold hold(mutex_);
+    if (ComputedColumns::has(number)) return computed_.show(handle_, number);
+    sinew_view view{};
+    check(sinew_get_column(handle_, sinew_column(number), &view));
+    const auto shape = shape_of(view, number);
+    return view.rows == 0 ? py::array(type_of(view), shape) : array_on(view, shape);
+}
+
 void bind_reading(py::module_& module, py::class_<Simulation, std::shared_ptr<Simulation>>& type) {
     type.def("info", info)
         .def("report", report)
         .def("hash", [](Simulation& self) { return self.ask<std::uint64_t>(sinew_state_hash); })
-        .def("column", column)
+        .def("column", &Simulation::column)
         .def("particle_ids", particle_ids)
         .def("rows_of", rows_of)
         .def("particle_names", particle_names)

@@ -44,6 +44,29 @@ Simulation::Simulation(const SceneSource& source) : images_(read_images(source))
     check(source.with_options(images_, open));
 }
 
+std::unique_ptr<Simulation> Simulation::load(std::string_view bytes, const SceneSource& files) {
+    auto images = read_images(files);
+    sinew_simulation handle{};
+    const auto open = [&](const sinew_open_options& options) {
+        const py::gil_scoped_release others;
+        return sinew_load(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), &options, &handle);
+    };
+    check(files.with_options(images, open));
+    return std::make_unique<Simulation>(handle, std::move(images));
+}
+
+void Simulation::restore(std::string_view bytes, const SceneSource& files) {
+    const auto now = ask<sinew_info>(sinew_get_info);
+    const auto other = load(bytes, files);
+    const auto then = other->ask<sinew_info>(sinew_get_info);
+    if (now.dimension != then.dimension || now.real_bytes != then.real_bytes)
+        raise(SINEW_BAD_ARGUMENT, "the snapshot is of another dimension or precision; sinew.open opens it by itself");
+    const Hold hold(mutex_);
+    std::swap(handle_, other->handle_);
+    std::swap(images_, other->images_);
+    computed_.forget();
+}
+
 std::unique_ptr<Simulation> Simulation::copy() {
     return std::make_unique<Simulation>(ask<sinew_simulation>(sinew_copy), images_);
 }
@@ -58,8 +81,14 @@ template <class Next> void Simulation::advance(const Next& next) {
             while (more && std::chrono::steady_clock::now() < end) more = next(status) && status == SINEW_OK;
         }
         check(status);
+        refresh();
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     }
+}
+
+void Simulation::restart() {
+    call(sinew_restart);
+    computed_.forget();
 }
 
 void Simulation::step(std::uint32_t count) {

@@ -2,6 +2,7 @@
 
 #include "sinew/scene/image.h"
 
+#include "bindings/python/core/computed_columns.h"
 #include "bindings/python/core/failure.h"
 
 #include <chrono>
@@ -10,13 +11,12 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 /// A simulation as Python holds it: a handle of the C face, which one thread uses at a time.
 namespace sinew::python {
-
-namespace py = pybind11;
 
 /// Rows of points, or ids: C-contiguous, converted where necessary.
 using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -77,10 +77,19 @@ class Simulation {
         return status == SINEW_OK;
     }
 
+    /// A simulation that goes on where that of a snapshot was; `files` has the images and models of its scene.
+    static std::unique_ptr<Simulation> load(std::string_view bytes, const SceneSource& files);
+    /// The same in place; raises if dimension or precision differ.
+    void restore(std::string_view bytes, const SceneSource& files);
     std::unique_ptr<Simulation> copy();
     void close() { call(sinew_close); }
+    void restart();
     void step(std::uint32_t count);
     void run_until(double seconds);
+    /// Shows a column of the C face.
+    py::array column(int number);
+    /// Brings arrays of computed columns up to date; the caller holds the lock.
+    void refresh() { computed_.refresh(handle_); }
 
   private:
     /// Calls next() without the GIL until it is false. Python's signals (Ctrl-C) are handled between calls.
@@ -88,6 +97,7 @@ class Simulation {
 
     sinew_simulation handle_{};
     Images images_; ///< with pixels, for painting
+    ComputedColumns computed_;
     std::mutex mutex_;
 };
 
@@ -103,5 +113,6 @@ void bind_edit(py::class_<Simulation, std::shared_ptr<Simulation>>& type);
 void bind_painting(py::module_& module, py::class_<Simulation, std::shared_ptr<Simulation>>& type);
 void bind_exporting(py::module_& module);
 void bind_batch(py::module_& module);
+void bind_saving(py::module_& module, py::class_<Simulation, std::shared_ptr<Simulation>>& type);
 
 } // namespace sinew::python

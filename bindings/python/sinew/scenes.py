@@ -37,11 +37,12 @@ def catalogue() -> list[str]:
 
 
 class Source(NamedTuple):
-    """The text of a scene, its name in messages, and the folder of the files it names."""
+    """The text of a scene, its name in messages, the folder of the files it names, and whether that is its own."""
 
     text: str
     name: str
     folder: Path
+    is_file: bool = False
 
 
 def source_of(scene: Scene) -> Source:
@@ -51,8 +52,8 @@ def source_of(scene: Scene) -> Source:
         return Source(scene, "scene", Path())
     if not isinstance(scene, (str, os.PathLike)):
         raise TypeError(f"a scene is a dict, JSON text, a path or a name of the catalogue, not {type(scene).__name__}")
-    path = _path_of(scene)
-    return Source(path.read_text(encoding="utf-8", errors="surrogateescape"), str(path), path.parent)
+    path = path_of(scene)
+    return Source(path.read_text(encoding="utf-8", errors="surrogateescape"), str(path), path.parent, True)
 
 
 def _json_of(value: Any) -> str:
@@ -69,7 +70,7 @@ def _plain(value: Any) -> Any:
     raise TypeError(f"{value!r} is a {type(value).__name__}")
 
 
-def _path_of(scene: str | os.PathLike[str]) -> Path:
+def path_of(scene: str | os.PathLike[str]) -> Path:
     """A bare word is a name of the catalogue first; a word with a dot or a slash is a path."""
     path = Path(scene)
     is_name = isinstance(scene, str) and not ("." in scene or "/" in scene or os.sep in scene)
@@ -132,6 +133,7 @@ class Files(NamedTuple):
 
     images: list[tuple[str, bytes]]
     models: list[tuple[str, str]]
+    source: str = ""  #: path of the scene's own file; empty if it has none
 
 
 def files_of(source: Source) -> Files:
@@ -145,7 +147,7 @@ def files_of(source: Source) -> Files:
     for name in _under(document, "file"):
         if isinstance(name, str) and name.endswith(".obj") and (source.folder / name).is_file():
             models[name] = (source.folder / name).read_text(encoding="utf-8", errors="replace")
-    return Files(list(images.items()), list(models.items()))
+    return Files(list(images.items()), list(models.items()), str(Path(source.name).absolute()) if source.is_file else "")
 
 
 def opened(scene: Scene, overrides: Mapping[str, Any]) -> tuple[_core.Simulation, Files]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from .edits import Edits
@@ -10,6 +11,7 @@ from .errors import ArgumentError
 from .pictures import Pictures
 from .queries import Queries
 from .scenes import Scene, opened, overrides_of
+from .snapshots import Saved, Snapshot, files_of_snapshot, loaded, snapshot_of, unpickled, write
 
 if TYPE_CHECKING:
     import pandas
@@ -17,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["Simulation", "open"]
 
 
-def open(scene: Scene, overrides: Mapping[str, Any] | None = None, /, **more: Any) -> Simulation:
+def open(scene: Scene | bytes, overrides: Mapping[str, Any] | None = None, /, **more: Any) -> Simulation:
     """Opens a scene at its start.
 
     ``scene`` is a dict, JSON text, the path of a file, or a name of the catalogue. Any value of it can be set, by
@@ -28,8 +30,16 @@ def open(scene: Scene, overrides: Mapping[str, Any] | None = None, /, **more: An
 
     Raises SceneError for a scene with mistakes: its ``errors`` have line and column, and as text it reads as the
     command prints it. Raises NotFoundError for an unknown name, FileNotFoundError for a missing file.
+
+    What ``Simulation.save`` returned or wrote, or the command's ``sinew run --save``, goes on where it was saved.
     """
-    return Simulation(*opened(scene, {**(overrides or {}), **more}))
+    values = {**(overrides or {}), **more}
+    snapshot = snapshot_of(scene)
+    if snapshot is None:
+        return Simulation(*opened(scene, values))  # type: ignore[arg-type]
+    if values:
+        raise ArgumentError("a snapshot goes on as it was saved; Simulation.set changes values of what runs")
+    return Simulation(*loaded(snapshot))
 
 
 class Simulation(Queries, Edits, Pictures):
@@ -53,6 +63,30 @@ class Simulation(Queries, Edits, Pictures):
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Simulation:
         return self.copy()
+
+    def save(self, path: str | os.PathLike[str] | None = None) -> bytes:
+        """The present state as bytes: scene with all edits, particles, clock, events and grabs. ``path`` names a file to
+        write it to as well. ``restore`` and ``sinew.open`` go on from it, on any machine, with the same bits, and so do
+        the commands ``sinew run`` and ``sinew play``; a simulation can be pickled, too."""
+        data = self._core.save(os.fsencode(self._files.source))
+        if path is not None:
+            write(data, path)
+        return data
+
+    def restore(self, saved: Saved) -> None:
+        """Returns to a state that ``save`` returned or wrote, of this simulation or of any other of the same dimension
+        and precision. Ids and pins are those of that moment; arrays taken before keep their last values. Raises
+        ValueError for anything else, and changes nothing then."""
+        snapshot = snapshot_of(saved)
+        if snapshot is None:
+            raise ArgumentError("what save() returned or wrote is expected")
+        files = files_of_snapshot(snapshot, self._files)
+        self._core.restore(snapshot.data, files.images, files.models)
+        self._files = files
+        self._read_info()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return unpickled, (self._core.save(os.fsencode(self._files.source)), self._files)
 
     def close(self) -> None:
         """Frees the simulation now. Arrays taken before keep their last values."""

@@ -25,7 +25,10 @@ class State:
 
     def __init__(self, core: _core.Simulation, files: Files):
         self._core, self._files = core, files
-        info = core.info()
+        self._read_info()
+
+    def _read_info(self) -> None:
+        info = self._core.info()
         self.dimension: int = info["dimension"]  #: 2 or 3
         self.precision: str = "float" if info["real_bytes"] == 4 else "double"
         self.rate: float = info["rate"]  #: steps per second
@@ -102,17 +105,20 @@ class State:
 
     @property
     def ends(self) -> Indices:
-        """Rows of the two ends of each link, (links, 2) of uint32: a copy. Links are constraints of kind distance."""
+        """Rows of the two ends of each link, (links, 2) of uint32: a view. Links are constraints of kind distance."""
         return self._core.column(_ends)
 
     @property
     def tensions(self) -> npt.NDArray[np.float64]:
-        """Force in each link in the last step, (links,): a copy. Positive when pulling; newtons in a scene of metres."""
+        """Force in each link in the last step, (links,): a view. Positive when pulling; newtons in a scene of metres.
+
+        It is computed when asked for, and again after each ``step`` or ``run`` while somebody holds it."""
         return self._core.column(_tension)
 
     @property
     def strains(self) -> npt.NDArray[np.float64]:
-        """How far each link is outside its limits, as a fraction of the violated one, (links,): a copy."""
+        """How far each link is outside its limits, as a fraction of the violated one, (links,): a view, computed as
+        ``tensions`` are."""
         return self._core.column(_strain)
 
     @property

@@ -1,4 +1,4 @@
-"""The command: python3 -m sinew study FILE."""
+"""The command: sinew study FILE."""
 
 from __future__ import annotations
 
