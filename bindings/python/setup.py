@@ -1,6 +1,7 @@
 """Builds the extension module by CMake, in build-python/ of the source tree, and adds the catalogue of scenes.
 
-Environment: SINEW_BUILD names another build folder, CMAKE_ARGS are further options of CMake.
+Environment: SINEW_BUILD names another build folder, CMAKE_ARGS are further options of CMake. The module has the kernels of
+all processors, as a wheel may go to another one, also where ./dev python has built those of this machine in that folder.
 """
 
 import os
@@ -22,7 +23,8 @@ class BuildByCMake(build_ext):
     def build_extension(self, extension):
         folder = Path(os.environ.get("SINEW_BUILD", root / "build-python"))
         options = ["-G", "Ninja", "-D", "CMAKE_BUILD_TYPE=Release", "-D", "SINEW_PYTHON=ON", "-D", "SINEW_WINDOW=OFF",
-                   "-D", f"Python_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
+                   "-D", "SINEW_KERNELS=one;sse2;avx2;avx512",
+                   "-D", f"Python_EXECUTABLE={os.path.realpath(sys.executable)}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
         if not (folder / "build.ninja").exists():
             options += ["-D", "CMAKE_UNITY_BUILD=ON", "-D", "CMAKE_UNITY_BUILD_BATCH_SIZE=16"]
         subprocess.run(["cmake", "-S", root, "-B", folder, *options], check=True)
