@@ -59,7 +59,8 @@ std::string manual_text(Command& command) {
     auto text = fmt::format("sinew {} {}\n\n{}\n{}", manual.name, manual.about, bold("usage"),
                             indented(fmt::format("sinew {} {}\n", manual.name, manual.usage)));
     if (manual.usage.find("key=value") != std::string_view::npos) text += words_text;
-    text += fmt::format("\n{}\n{}", bold("options"), table(option_rows(command)));
+    if (!command.takes_options_as_words())
+        text += fmt::format("\n{}\n{}", bold("options"), table(option_rows(command)));
     if (!manual.details.empty()) text += "\n" + indented(manual.details);
     return text + fmt::format("\n{}\n{}", bold("examples"), indented(manual.examples));
 }

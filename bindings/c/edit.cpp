@@ -60,9 +60,16 @@ template <class Real> ConstraintSpec<Real> spec_of(const sinew_constraint_spec* 
     return spec;
 }
 
-bool has_nan(const sinew_constraint_spec& spec) {
-    return std::isnan(spec.low) || std::isnan(spec.high) || !(spec.compliance >= 0) || std::isnan(spec.max_force) ||
-           std::isnan(spec.breaking_strain);
+bool is_possible(const sinew_constraint_spec& spec) {
+    return !std::isnan(spec.low) && !std::isnan(spec.high) && spec.compliance >= 0 && spec.max_force >= 0 &&
+           spec.breaking_strain >= 0;
+}
+
+/// Worlds of float hold the inverse of every mass from here on; infinity is immovable.
+constexpr double min_mass = 1e-30;
+
+bool is_radius(double radius) {
+    return radius >= 0 && std::isfinite(radius);
 }
 
 template <int D> bool takes(std::uint32_t kind, std::size_t count) {
@@ -92,8 +99,8 @@ sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particl
                                 sinew_particle* particle) {
     if (!spec || !particle) return null_argument();
     if (!is_finite(spec->position) || !is_finite(spec->velocity)) return not_finite();
-    if (!(spec->mass > 0) || !(spec->radius >= 0))
-        return fail(SINEW_BAD_ARGUMENT, "a mass is above 0 and a radius at least 0");
+    if (!(spec->mass >= min_mass) || !is_radius(spec->radius))
+        return fail(SINEW_BAD_ARGUMENT, "a mass is at least 1e-30, and a radius at least 0 and finite");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         *particle = number_of(add_particle(world, ParticleSpec<D, Real>{.position = vector_of<D, Real>(spec->position),
                                                                         .velocity = vector_of<D, Real>(spec->velocity),
@@ -113,7 +120,7 @@ sinew_status sinew_remove_particle(sinew_simulation simulation, sinew_particle p
 sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_t kind, const sinew_particle* particles,
                                   size_t count, const sinew_constraint_spec* spec, sinew_constraint* constraint) {
     if (!particles || !constraint) return null_argument();
-    if (spec && has_nan(*spec)) return fail(SINEW_BAD_ARGUMENT, "a number of the constraint is not possible");
+    if (spec && !is_possible(*spec)) return fail(SINEW_BAD_ARGUMENT, "a number of the constraint is not possible");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         if (!takes<D>(kind, count))
             return fail(SINEW_BAD_ARGUMENT, "no kind of this dimension has this number and so many particles");
@@ -196,14 +203,14 @@ sinew_status sinew_set_velocity(sinew_simulation simulation, sinew_particle part
 }
 
 sinew_status sinew_set_mass(sinew_simulation simulation, sinew_particle particle, double mass) {
-    if (!(mass > 0)) return fail(SINEW_BAD_ARGUMENT, "a mass is above 0");
+    if (!(mass >= min_mass)) return fail(SINEW_BAD_ARGUMENT, "a mass is at least 1e-30");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(set_mass(world, id_of<ParticleTag>(particle), Real(mass)), "particle");
     });
 }
 
 sinew_status sinew_set_radius(sinew_simulation simulation, sinew_particle particle, double radius) {
-    if (!(radius >= 0)) return fail(SINEW_BAD_ARGUMENT, "a radius is at least 0");
+    if (!is_radius(radius)) return fail(SINEW_BAD_ARGUMENT, "a radius is at least 0 and finite");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(set_radius(world, id_of<ParticleTag>(particle), Real(radius)), "particle");
     });

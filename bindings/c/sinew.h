@@ -368,7 +368,7 @@ SINEW_API sinew_status sinew_set(sinew_simulation simulation, const char* overri
 
 typedef struct sinew_particle_spec {
     sinew_point position, velocity;
-    double mass; /* above 0; INFINITY: immovable */
+    double mass; /* 1e-30 and above; INFINITY: immovable */
     double radius;
 } sinew_particle_spec;
 SINEW_API sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particle_spec* spec,

@@ -63,6 +63,7 @@ class Batch {
         sinew_view view{};
         if (const auto status = sinew_get_column(handle, column, &view)) return status;
         if (view.rows < particles_) return SINEW_NOT_FOUND;
+        if (bytes != std::size_t(particles_) * view.components * view.number_bytes) return SINEW_FULL;
         std::memcpy(to, view.data, bytes);
         return SINEW_OK;
     }
@@ -75,6 +76,8 @@ class Batch {
             return "the particle or pin is gone";
         case SINEW_BAD_ARGUMENT:
             return "a number is not finite";
+        case SINEW_FULL:
+            return "an array of the batch has another size";
         default:
             return "it is closed";
         }

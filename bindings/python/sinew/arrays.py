@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from ._numbers import numbers
 from .errors import ArgumentError
 from .simulation import Simulation, open
 
@@ -64,12 +65,10 @@ def from_arrays(points: npt.ArrayLike, links: npt.ArrayLike = (), *, faces: npt.
 
 
 def _numbers(values: npt.ArrayLike, what: str) -> npt.NDArray[np.float64]:
-    try:
-        array = np.asarray(values, np.float64)
-    except (TypeError, ValueError):
-        raise ArgumentError(f"{what} are an array of numbers") from None
+    array = numbers(values, f"{what} are an array of numbers")
     if np.isnan(array).any():
-        raise ArgumentError(f"{what} have a nan in row {int(np.argwhere(np.isnan(array))[0][0])}")
+        place = np.argwhere(np.isnan(array))[0]
+        raise ArgumentError(f"{what} have a nan in row {int(place[0])}" if len(place) else f"{what}: nan is no number")
     return array
 
 

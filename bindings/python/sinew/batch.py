@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._numbers import numbers
 from ._types import Bools, Ids, Reals
 from .errors import ArgumentError
 from .scenes import Scene
@@ -34,6 +35,8 @@ def batch(scene: Scene, n: int, *, seed: int = 0, vary: Mapping[str, Values] | N
     """
     if n < 1:
         raise ArgumentError(f"a batch has at least one world, not {n}")
+    if not 0 <= threads <= 1024:
+        raise ArgumentError(f"a batch has 1 to 1024 threads, or 0 for as many as cores, not {threads}")
     random = np.random.default_rng(seed)
     values = {path: _drawn(path, given, n, random) for path, given in (vary or {}).items()}
     if values:
@@ -64,6 +67,8 @@ class Batch:
     """
 
     def __init__(self, worlds: Sequence[Simulation], values: Mapping[str, npt.NDArray[Any]] | None = None, threads: int = 0):
+        if not worlds:
+            raise ArgumentError("a batch has at least one world")
         first = worlds[0]
         shapes = {(len(world), world.dimension, world.precision) for world in worlds}
         if len(shapes) > 1:
@@ -73,8 +78,8 @@ class Batch:
         self.values: dict[str, npt.NDArray[Any]] = dict(values or {})  #: what differs: by path, a value a world
         self.threads: int = threads or _core.hardware_threads()
         shape = (len(worlds), len(first), first.dimension)
-        self.positions: Reals = np.empty(shape, first.positions.dtype)  #: (n, particles, dimension)
-        self.velocities: Reals = np.empty(shape, first.velocities.dtype)  #: (n, particles, dimension)
+        self._positions: Reals = np.empty(shape, first.positions.dtype)
+        self._velocities: Reals = np.empty(shape, first.velocities.dtype)
         self._core = _core.Batch([world._core for world in worlds], len(first))
         self._all = np.ones(len(worlds), bool)
         self._ids: dict[str, Ids] = {}
@@ -85,6 +90,16 @@ class Batch:
         return len(self.worlds)
 
     @property
+    def positions(self) -> Reals:
+        """Positions, (n, particles, dimension)."""
+        return self._positions
+
+    @property
+    def velocities(self) -> Reals:
+        """Velocities, (n, particles, dimension)."""
+        return self._velocities
+
+    @property
     def rate(self) -> float:
         """Steps per second."""
         return self.worlds[0].rate
@@ -93,11 +108,11 @@ class Batch:
         """Takes ``count`` steps in every world."""
         if count < 0:
             raise ArgumentError(f"a number of steps is not negative: {count}")
-        self._core.step(count, self._all, self.positions, self.velocities, self.threads)
+        self._core.step(count, self._all, self._positions, self._velocities, self.threads)
 
     def refresh(self) -> None:
         """Reads the arrays again, after an edit of a world."""
-        self._core.step(0, self._all, self.positions, self.velocities, 1)
+        self._core.step(0, self._all, self._positions, self._velocities, 1)
 
     def reset(self, mask: npt.ArrayLike | None = None) -> None:
         """Returns the worlds of a mask, (n,) of truth, to their start; all without one. Their parameters stay, their
@@ -105,7 +120,7 @@ class Batch:
         self._ids.clear()  # a restart makes the particles anew
         chosen = self._all if mask is None else self._mask(mask)
         self._core.restart(chosen, self.threads)
-        self._core.step(0, chosen, self.positions, self.velocities, 1)
+        self._core.step(0, chosen, self._positions, self._velocities, 1)
 
     def row(self, name: str) -> int:
         """Row of a particle in the arrays: ``positions[:, worlds.row("bob/head")]`` are its positions."""
@@ -135,7 +150,7 @@ class Batch:
 
     def _points(self, values: npt.ArrayLike, what: str) -> npt.NDArray[np.float64]:
         shape = (len(self), self.positions.shape[2])
-        array = np.asarray(values, np.float64)
+        array = numbers(values, f"{what} have shape {shape} and are numbers")
         if array.shape != shape:
             raise ArgumentError(f"{what} have shape {shape}, not {array.shape}")
         return array

@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING, NamedTuple
 
 from . import _core
+from ._numbers import frames_of
 from .errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -23,11 +24,10 @@ def film(simulation: Simulation, path: str | os.PathLike[str], seconds: float | 
         raise ArgumentError(f"{os.fspath(path)}: " + ("a film is .gif, .mp4 or .webp" if is_still else
                                                       "a picture is .png, .svg or .pdf"))
     rate = _usual_fps.get(extension, 60.0) if fps is None else fps
-    if not rate > 0:
-        raise ArgumentError(f"a film has more than {rate} frames a second")
+    count = 1 if seconds is None else frames_of(seconds, rate)
     target = _core.Film(os.fsencode(path), view[0], view[1], rate)
     start = simulation.seconds
-    for frame in range(1 if seconds is None else max(1, round(seconds * rate))):
+    for frame in range(count):
         if frame:
             simulation.run_until(start + frame / rate)
         target.add(simulation._core, *view)
@@ -49,9 +49,7 @@ def export(simulation: Simulation, path: str, seconds: float | None, fps: float 
         raise ArgumentError(f"{path} is one moment: a sequence has a number in its name, such as a-%04d.obj")
     start, rate = simulation.seconds, target.fps
     length = simulation.duration if seconds is None else seconds
-    if not (0 < rate <= 1000 and 0 <= length <= 1e6):
-        raise ArgumentError(f"{length} seconds at {rate} a second are no film")
-    for frame in range(max(1, round(length * rate)) if target.is_film else 1):
+    for frame in range(frames_of(length, rate) if target.is_film else 1):
         if frame:
             simulation.run_until(start + frame / rate)
         target.add(simulation._core)
@@ -63,11 +61,12 @@ def frames(simulation: Simulation, folder: str | os.PathLike[str], seconds: floa
            view: tuple[int, int, int]) -> list[str]:
     """Writes the frames of one part of a film as PNG; every part steps through all of it."""
     number, count = part
-    if not (1 <= number <= count and fps > 0):
-        raise ArgumentError(f"a part is (i, n) with i from 1 to n, and a film has frames; not {part} at {fps} a second")
+    if not 1 <= number <= count:
+        raise ArgumentError(f"a part is (i, n) with i from 1 to n, not {part}")
+    length = frames_of(seconds, fps)
     os.makedirs(folder, exist_ok=True)
     start, written = simulation.seconds, []
-    for frame in range(number - 1, max(1, round(seconds * fps)), count):
+    for frame in range(number - 1, length, count):
         simulation.run_until(start + frame / fps)
         path = os.path.join(folder, f"{frame:06}.png")
         partial = path + ".partial"

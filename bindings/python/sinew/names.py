@@ -10,6 +10,7 @@ from typing import Iterable, Union
 import numpy as np
 
 from . import _core
+from ._numbers import id_of
 from ._types import Ids
 from .errors import ArgumentError, NotFoundError
 from .parts import Figure, Particle, Particles
@@ -63,7 +64,7 @@ class Names(State):
         """The particle with this id or name."""
         if isinstance(which, Particle):
             return which
-        found = self[which] if isinstance(which, str) else Particle(self._self, int(which))
+        found = self[which] if isinstance(which, str) else Particle(self._self, id_of(which, "particle"))
         if not isinstance(found, Particle):
             raise ArgumentError(f"{which!r} is not one particle")
         return found
@@ -80,14 +81,14 @@ class Names(State):
     def _id(self, which: AnyParticle) -> int:
         if isinstance(which, str):
             return self.particle(which).id
-        return which.id if isinstance(which, Particle) else int(which)
+        return which.id if isinstance(which, Particle) else id_of(which, "particle")
 
     def constraint(self, which: str | int) -> ConstraintState:
         """Measure, error, strain and tension of a constraint, by name or id."""
         return ConstraintState(*self._core.constraint(self._constraint_id(which)))
 
     def _constraint_id(self, which: str | int) -> int:
-        return self._core.find_constraint(which) if isinstance(which, str) else int(which)
+        return self._core.find_constraint(which) if isinstance(which, str) else id_of(which, "constraint")
 
     def constraints(self, kind: str = "distance") -> Ids:
         """Ids of the constraints of a kind ("distance", "angle", "area", ...), (n,) of uint64. Those of kind distance

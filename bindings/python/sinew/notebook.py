@@ -10,6 +10,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ._numbers import duration
 from .errors import ArgumentError, Error
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ class Animation:
     """What ``Simulation.play`` shows. ``page()`` is its HTML, for a file of its own."""
 
     def __init__(self, simulation: Simulation, seconds: float, size: tuple[int, int]):
-        if not seconds > 0:
+        if not duration(seconds) > 0:
             raise ArgumentError(f"an animation lasts longer than {seconds} s")
         self._scene, self._files = simulation.scene, simulation._files
         self._is_float = simulation.precision == "float"

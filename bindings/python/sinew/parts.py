@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from ._numbers import numbers
 from ._types import Ids, Reals
 from .errors import ArgumentError, NotFoundError
 
@@ -18,10 +19,7 @@ __all__ = ["Particle", "Particles", "Figure", "Pin"]
 
 def points(values: npt.ArrayLike, count: int, dimension: int, what: str) -> npt.NDArray[np.float64]:
     """An array of shape (count, dimension), or (1, dimension) for one point for all; raises for any other shape."""
-    try:
-        array = np.asarray(values, np.float64)
-    except (TypeError, ValueError):
-        raise ArgumentError(f"{what} are numbers, of shape ({count}, {dimension}) or ({dimension},)") from None
+    array = numbers(values, f"{what} are numbers, of shape ({count}, {dimension}) or ({dimension},)")
     if array.shape == (dimension,):
         return array.reshape(1, dimension)
     if array.shape == (count, dimension):
@@ -195,7 +193,7 @@ class Particle:
 
     def __init__(self, simulation: Simulation, which: str | int):
         self._simulation, self._which = simulation, which
-        self.id  # raises where there is none
+        self.row  # raises where there is none
 
     @property
     def simulation(self) -> Simulation:

@@ -155,7 +155,8 @@ class Simulation(Queries, Edits, Pictures):
         """Steps for so many seconds and notes where particles are, now and after each ``every`` steps.
 
         Returns a frame with the columns time, name, x, y (z), vx, vy (vz), a row a particle: those of the command's
-        ``sinew run --trace``. ``of`` names particles and figures; all with a name if left out. Needs pandas.
+        ``sinew run --trace``, in the scene's own units, time too. ``of`` names particles and figures; all with a name if
+        left out. Needs pandas.
         """
         from .tables import trace
 

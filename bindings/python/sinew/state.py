@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._numbers import numbers
 from ._types import Bools, Ids, Indices, Reals
 from .errors import ArgumentError
 from .parts import points
@@ -32,6 +33,7 @@ class State:
         self.dimension: int = info["dimension"]  #: 2 or 3
         self.precision: str = "float" if info["real_bytes"] == 4 else "double"
         self.rate: float = info["rate"]  #: steps per second
+        self.per_second: float = info["per_second"]  #: of the scene's units of time: 60 if it counts frames
         self.size: tuple[int, int] = info["size"]  #: of the picture that the scene asks for, pixels
         self.duration: float = info["seconds"]  #: how long the scene is worth watching, seconds
         self.is_classic: bool = info["is_classic"]  #: in mode "classic"
@@ -155,10 +157,8 @@ class State:
         return [Event(*event) for event in self._core.events(since)]
 
     def _point(self, value: npt.ArrayLike, what: str = "a point") -> npt.NDArray[np.float64]:
-        try:
-            point = np.asarray(value, np.float64)
-        except (TypeError, ValueError):
-            point = np.empty(0)
+        expected = f"{what} has {self.dimension} numbers here, not {value!r}"
+        point = numbers(value, expected)
         if point.shape != (self.dimension,):
-            raise ArgumentError(f"{what} has {self.dimension} numbers here, not {value!r}")
+            raise ArgumentError(expected)
         return point

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Sequence
 
 import numpy as np
 
+from ._numbers import duration
 from .errors import ArgumentError
 from .parts import Particle, Particles
 from .records import Report
@@ -20,11 +21,9 @@ quantities_of_report = ("energy", "stretch", *Report._fields)
 
 def _steps(simulation: Simulation, seconds: float, every: int) -> list[int]:
     """Numbers of steps between two notes."""
-    if not (np.isfinite(seconds) and seconds >= 0):
-        raise ArgumentError(f"a duration is finite and not negative: {seconds}")
     if every < 1:
         raise ArgumentError(f"a number of steps is at least 1: {every}")
-    count = round(seconds * simulation.rate)
+    count = round(duration(seconds) * simulation.rate)
     return [every] * (count // every) + [count % every] * (count % every > 0)
 
 
@@ -49,7 +48,8 @@ def trace(simulation: Simulation, seconds: float, of: str | Sequence[str] | None
     times, places, speeds = [], [], []
     for count in [0, *steps]:
         simulation.step(count)
-        times.append(simulation.seconds)
+        # Nine digits: a scene that counts frames has whole ones.
+        times.append(round(simulation.seconds * simulation.per_second, 9) if simulation.per_second != 1 else simulation.seconds)
         places.append(np.array(particles.positions))
         speeds.append(np.array(particles.velocities))
     axes = "xyz"[: simulation.dimension]

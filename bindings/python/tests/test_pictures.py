@@ -71,7 +71,7 @@ def test_a_trace_is_that_of_the_command(tmp_path, command):
     path = tmp_path / "trace.csv"
     subprocess.run([command, "run", "ragdoll", "--seconds", "0.5", "--trace", path, "--of", "bob/head"], check=True,
                    capture_output=True)
-    expected = pandas.read_csv(path, float_precision="round_trip")
+    expected = pandas.read_csv(path, float_precision="round_trip", dtype={"time": float})
     found = sinew.open("ragdoll").trace(0.5, "bob/head")
     assert list(found.columns) == list(expected.columns)
     pandas.testing.assert_frame_equal(found.reset_index(drop=True), expected, check_exact=True)

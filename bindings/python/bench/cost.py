@@ -1,4 +1,4 @@
-"""What a case of a study costs beside its steps: the numbers of docs/how/studies.md. python3 bindings/python/cost.py"""
+"""What a case of a study costs beside its steps: the numbers of docs/how/studies.md. python3 bindings/python/bench/cost.py"""
 
 import concurrent.futures
 import json
@@ -17,7 +17,7 @@ from sinew.study import Study
 from sinew.study.case import run_cases
 from sinew.study.results import Results
 
-page = Path(__file__).resolve().parents[2] / "docs" / "how" / "studies.md"
+page = Path(__file__).resolve().parents[3] / "docs" / "how" / "studies.md"
 
 
 def study_of(folder, seconds):

@@ -1,7 +1,8 @@
-"""Worlds of a batch beside a loop of single ones: python3 bindings/python/bench.py [--worlds 64] [--steps 200] [--turns 15]
+"""Worlds of a batch beside a loop of single ones: python3 bindings/python/bench/batch.py [--worlds 64] [--steps 200] [--turns 15]
 
 Columns: worlds stepped a second by a loop over simulations in one thread; by a batch on all cores; the batch's share of the
-sum of the cores, each taken as fast as the loop; and the memory of a world. Medians of turns, loop and batch by turns.
+sum of the cores, each taken as fast as the loop; the loop's processor time as a share of the batch's, which does not see what other
+programs take; and the memory of a world. Medians of turns, loop and batch by turns.
 The last line is the time of a batch's step beside that of its worlds: what Python and the gathering of arrays cost.
 """
 
@@ -18,9 +19,10 @@ tiny = {"sinew": 1, "figures": [{"name": "one", "particles": {"a": {"at": [0, 0]
 
 
 def timed(work):
-    start = time.perf_counter()
+    """Seconds of the clock, and of the processor in all threads."""
+    start, processor = time.perf_counter(), time.process_time()
     work()
-    return time.perf_counter() - start
+    return time.perf_counter() - start, time.process_time() - processor
 
 
 def memory():
@@ -46,16 +48,18 @@ def measure(name, scene, options):
 
     loops, batches = zip(*((timed(loop), timed(batch)) for _ in range(options.turns)))
     steps = options.worlds * options.steps
-    alone, together = steps / statistics.median(loops), steps / statistics.median(batches)
-    share = together / alone / hardware_threads()
-    print(f"{options.worlds} x {name:8} {alone:12,.0f}/s {together:12,.0f}/s {share:6.2f} {each / 1024:8.1f} KiB a world")
+    alone, alone_processor = map(statistics.median, zip(*loops))
+    together, together_processor = map(statistics.median, zip(*batches))
+    share = alone / together / hardware_threads()
+    print(f"{options.worlds} x {name:8} {steps / alone:12,.0f}/s {steps / together:12,.0f}/s {share:6.2f} "
+          f"{alone_processor / together_processor:6.2f} {each / 1024:8.1f} KiB a world")
 
 
 def overhead(options):
     worlds, single = sinew.batch(tiny, 1), sinew.open(tiny)
     count = options.steps * 50
-    batch = min(timed(lambda: [worlds.step() for _ in range(count)]) for _ in range(options.turns)) / count
-    steps = min(timed(lambda: single.step(count)) for _ in range(options.turns)) / count
+    batch = min(timed(lambda: [worlds.step() for _ in range(count)])[1] for _ in range(options.turns)) / count
+    steps = min(timed(lambda: single.step(count))[1] for _ in range(options.turns)) / count
     print(f"a batch's step beside its worlds': {1e6 * (batch - steps):.2f} us")
 
 
