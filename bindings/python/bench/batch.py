@@ -1,9 +1,9 @@
-"""Worlds of a batch beside a loop of single ones: python3 bindings/python/bench/batch.py [--worlds 64] [--steps 200] [--turns 15]
+"""Worlds of a batch beside single ones: python3 bindings/python/bench/batch.py [--worlds 64] [--steps 200] [--turns 15]
 
-Columns: worlds stepped a second by a loop over simulations in one thread; by a batch on all cores; the batch's share of the
-sum of the cores, each taken as fast as the loop; the loop's processor time as a share of the batch's, which does not see what other
-programs take; and the memory of a world. Medians of turns, loop and batch by turns.
-The last line is the time of a batch's step beside that of its worlds: what Python and the gathering of arrays cost.
+Ways: a loop that takes all steps of a world taken the next world's; a loop that takes one step of each world in turn; a batch on all
+cores, a call a step; a batch, all steps in one call. Columns: worlds stepped a second; share of the sum of the cores, each taken as
+fast as the first loop; processor time of a world's step, least and median of the turns, which sees less of other programs. Then the
+memory of a world; and the time of a batch's step beside that of its worlds: Python, and the gathering of arrays.
 """
 
 import argparse
@@ -31,28 +31,34 @@ def memory():
         return int(file.read().split()[1]) * 4096
 
 
+def ways(scene, options):
+    """Function of each way by its name; each has worlds of its own."""
+    one, turn = ([sinew.open(scene) for _ in range(options.worlds)] for _ in range(2))
+    calls, call = (sinew.batch(scene, options.worlds) for _ in range(2))
+    return {"loop": lambda: [sim.step(options.steps) for sim in one],
+            "in turns": lambda: [sim.step() for _ in range(options.steps) for sim in turn],
+            "batch": lambda: [calls.step() for _ in range(options.steps)],
+            "batch, one call": lambda: call.step(options.steps)}
+
+
 def measure(name, scene, options):
-    before = memory()
-    worlds = sinew.batch(scene, options.worlds)
-    worlds.step()
-    each = (memory() - before) / options.worlds
-    singles = [sinew.open(scene) for _ in range(options.worlds)]
-
-    def loop():
-        for sim in singles:
-            sim.step(options.steps)
-
-    def batch():
-        for _ in range(options.steps):
-            worlds.step()
-
-    loops, batches = zip(*((timed(loop), timed(batch)) for _ in range(options.turns)))
+    taken = []
+    kept = []
+    for _ in range(3):  # what the program and its threads allocate once is of the first
+        kept.append(sinew.batch(scene, options.worlds))
+        kept[-1].step()
+        taken.append(memory())
+    print(f"{options.worlds} x {name}, {(taken[2] - taken[1]) / options.worlds / 1024:.0f} KiB a world")
+    kept.clear()
+    works = ways(scene, options)
+    turns = [{way: timed(work) for way, work in works.items()} for _ in range(options.turns)]
     steps = options.worlds * options.steps
-    alone, alone_processor = map(statistics.median, zip(*loops))
-    together, together_processor = map(statistics.median, zip(*batches))
-    share = alone / together / hardware_threads()
-    print(f"{options.worlds} x {name:8} {steps / alone:12,.0f}/s {steps / together:12,.0f}/s {share:6.2f} "
-          f"{alone_processor / together_processor:6.2f} {each / 1024:8.1f} KiB a world")
+    alone = statistics.median(turn["loop"][0] for turn in turns)
+    for way in works:
+        clock = statistics.median(turn[way][0] for turn in turns)
+        processor = [1e6 * turn[way][1] / steps for turn in turns]
+        print(f"{way:16} {steps / clock:10,.0f}/s {alone / clock / hardware_threads():6.2f} {min(processor):8.1f} "
+              f"{statistics.median(processor):8.1f} us", flush=True)
 
 
 def overhead(options):
