@@ -13,8 +13,9 @@ foreach(folder IN ITEMS sinew player bindings/c bindings/wasm)
     sinew_sources(${folder})
     list(APPEND all ${sources})
 endforeach()
-list(APPEND all ${PROJECT_SOURCE_DIR}/canvas/beside.cpp ${PROJECT_SOURCE_DIR}/bindings/no_files.cpp)
 list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp|/bindings/c/native/")
+list(APPEND all canvas/beside.cpp bindings/no_files.cpp bindings/c/native/world.cpp bindings/c/native/collider.cpp)
+list(TRANSFORM all PREPEND ${PROJECT_SOURCE_DIR}/ REGEX "^[^/]")
 list(FILTER all EXCLUDE REGEX "/targets/(avx[0-9]+|one)[.]cpp") # every engine has SIMD
 set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE SINEW_NO_AVX2 SINEW_NO_AVX512)
 # The files where the time goes are compiled for speed, and all else for size. Blocks weigh 5 % of the module more, and
@@ -74,4 +75,18 @@ endfunction()
 
 sinew_modules(sinew double)
 sinew_modules(sinew-float float)
-add_custom_target(sinew_wasm DEPENDS sinew sinew-threads sinew-float sinew-float-threads)
+
+# bin/sinew-export.wasm: the same engine and the formats of files/out that need no painter. A page loads it when a file is
+# asked for (web/sinew/export.js).
+set(SINEW_WORLDS 2-double 3-double)
+include(cmake/worlds.cmake)
+sinew_sources(files/out)
+list(FILTER sources EXCLUDE REGEX "/files/out/(alpha_film|output_file|picture_frames|pixel_writer)[.]cpp")
+add_executable(sinew-export ${shared} ${sources} bindings/c/native/export.cpp $<TARGET_OBJECTS:sinew-objects>)
+sinew_wasm_options(sinew-export)
+file(STRINGS bindings/c/sinew.h declarations REGEX "^SINEW_PROGRAM_API sinew_status sinew_export_")
+foreach(declaration IN LISTS declarations)
+    string(REGEX MATCH "sinew_export_[a-z]+" name ${declaration})
+    target_link_options(sinew-export PRIVATE -Wl,--export=${name})
+endforeach()
+add_custom_target(sinew_wasm DEPENDS sinew sinew-threads sinew-float sinew-float-threads sinew-export)

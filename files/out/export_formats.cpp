@@ -10,7 +10,7 @@ namespace {
 
 using enum FramesPerFile;
 
-constexpr std::array<ExportFormat, 13> list{{
+constexpr std::array<ExportFormat, 13> formats{{
     {"glb", ".glb", all, false, 30, "glTF 2.0: nodes and meshes that move: Blender, three.js, engines", open_glb},
     {"pc2", ".pc2", all, false, 24, "a point cache, and its mesh (.obj): Blender, 3ds Max", open_pc2},
     {"mdd", ".mdd", all, false, 24, "a point cache, and its mesh (.obj): Blender, Maya, Houdini", open_mdd},
@@ -36,14 +36,14 @@ std::string ending_of(const std::filesystem::path& path) {
 } // namespace
 
 std::span<const ExportFormat> export_formats() {
-    return list;
+    return formats;
 }
 
 const ExportFormat* export_format_of(const std::filesystem::path& path, std::string_view name) {
     const auto ending = ending_of(path);
     const auto preferred = has_frame_number(path) ? one : all;
     const ExportFormat* found = nullptr;
-    for (const auto& format : list)
+    for (const auto& format : formats)
         if (name.empty() ? format.ending == ending : format.name == name)
             if (!found || format.frames == preferred) found = &format;
     return found;

@@ -22,6 +22,11 @@ export class Assets {
         this.models = new Map(scenes.flatMap((scene) => Object.entries(scene.models)));
     }
 
+    /** A model that somebody brings, until the page is left. */
+    addModel(name: string, text: string): void {
+        this.models.set(name, text);
+    }
+
     optionsOf(text: string): Pick<OpenOptions, "images" | "models"> {
         const named = <Value>(all: Map<string, Value>): Record<string, Value> =>
             Object.fromEntries([...all].filter(([name]) => text.includes(`"${name}"`)));

@@ -4,12 +4,14 @@ import { announce, byId, debounced, el, words } from "../common/dom.js";
 import { provide, type Assets } from "../common/engine.js";
 import { Stage } from "../common/stage.js";
 import { applyTheme, setTheme, theme } from "../common/theme.js";
+import { exportKinds, exportScene } from "./exports.js";
 import { Films } from "./films.js";
 import { offer, sceneFile } from "./files.js";
 import { Gallery } from "./gallery.js";
 import { helpDialog } from "./help.js";
 import { connectKeys } from "./keys.js";
 import { Menu } from "./menu.js";
+import { isForImport, sceneOfObj } from "./models.js";
 import { Panel } from "./panel.js";
 import { addressOf, both, unnamed } from "./share.js";
 import { TimeBar } from "./timebar.js";
@@ -54,6 +56,7 @@ export class App {
                 { name: "picture (PNG)", press: () => void this.savePicture() },
                 { name: "film (WebM)", press: () => this.films.toggle(this.stage!, "video", this.fileName) },
                 { name: "film (GIF)", press: () => this.films.toggle(this.stage!, "gif", this.fileName) },
+                ...exportKinds.map(({ name, ending }) => ({ name, press: () => void this.exportAs(ending) })),
                 { name: "open a file…", press: () => this.chooseFile() }] },
             { name: "theme", icon: "theme", tip: "light or dark  (t)", press: () => this.switchTheme() },
             { name: "keys", icon: "help", tip: "keys and buttons  (F1)", ofScene: true, press: () => this.help.showModal() },
@@ -263,17 +266,36 @@ export class App {
         offer(await this.stage!.png(), `${this.fileName}.png`);
     }
 
+    private async exportAs(ending: string): Promise<void> {
+        this.panel!.text.follow();
+        try {
+            await exportScene(this.panel!.text.text, [], this.assets, this.fileName, ending);
+        } catch (error) {
+            announce(messageOf(error));
+        }
+    }
+
     toggleFilm(): void {
         this.films.toggle(this.stage!, "video", this.fileName);
     }
 
     chooseFile(): void {
-        const input = el("input", { type: "file", accept: ".json,application/json", onchange: () => void this.openFile(input.files?.[0]) });
+        const input = el("input", { type: "file", accept: ".json,.obj,application/json", onchange: () => void this.openFile(input.files?.[0]) });
         input.click();
     }
 
     private async openFile(file: File | undefined): Promise<void> {
-        if (file) await this.openText(await file.text(), file.name);
+        if (!file) return;
+        if (isForImport(file.name)) return announce(`The command makes a scene of it: sinew import ${file.name}`);
+        if (!/\.obj$/i.test(file.name)) return this.openText(await file.text(), file.name);
+        try {
+            const text = await file.text();
+            const scene = sceneOfObj(text, file.name);
+            this.assets.addModel(file.name, text);
+            await this.openText(scene, file.name.replace(/\.obj$/i, ""));
+        } catch (error) {
+            announce(messageOf(error));
+        }
     }
 
     private takeDrops(): void {

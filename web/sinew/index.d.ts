@@ -32,8 +32,46 @@ export function load(source?: ModuleSource, options?: LoadOptions): Promise<Engi
  */
 export function loadFloat(engine: Engine, source?: ModuleSource): Promise<Engine>;
 
+/** Loads the module that writes files of other programs, sinew-export.wasm beside this file: an engine of its own. */
+export function loadExporter(source?: ModuleSource): Promise<Exporter>;
+
+export interface ExportOptions extends OpenOptions {
+    /** Length of the film; the scene's own if left out. Of an .obj or .ply without a number in its name: the moment. */
+    seconds?: number;
+    /** Frames per second, 30 if left out. */
+    fps?: number;
+    /** Of a model: names; none: all. */
+    figures?: string[];
+    /** By which points may be off between keys: pixels of vectors, millimetres of a .glb. */
+    error?: number;
+    /** Of vectors, pixels; the scene's own if left out. */
+    size?: [number, number];
+    /** Of vectors: "none", "#fa0". */
+    background?: string;
+    /** Of vectors: the figure in the middle. */
+    follow?: string;
+    /** Of vectors: a line at the bottom. */
+    caption?: string;
+    /** Is told the share of frames that are done. */
+    onProgress?: (share: number) => void;
+}
+
+export interface ExportedFile {
+    name: string;
+    bytes: Uint8Array;
+}
+
+export class Exporter {
+    readonly engine: Engine;
+    /**
+     * Steps a scene from its start and writes it. The ending says the format: .glb, .pc2, .mdd, .obj, .ply, .svg (moves)
+     * or .json (Lottie). `notes` are about what the format could not take.
+     */
+    write(scene: string | object, name: string, options?: ExportOptions): Promise<{ files: ExportedFile[]; notes: string[] }>;
+}
+
 /** The same functions as properties: `import Sinew from "sinew"; await Sinew.load()`. */
-declare const Sinew: { load: typeof load; loadFloat: typeof loadFloat; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
+declare const Sinew: { load: typeof load; loadFloat: typeof loadFloat; loadExporter: typeof loadExporter; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
 export default Sinew;
 
 // --- scenes -------------------------------------------------------------------------------------------------------
@@ -202,6 +240,33 @@ export type Region =
     | { center: Point; radius: number }
     | { center: Point; half: Point; turn?: number; axis?: Point };
 
+/** Parameters are those of a figure in a scene file: {segments: 20, contact: {figures: true}}. */
+export interface FigureSpec {
+    name?: string;              // that of the prefab, with a number if it is taken
+    position?: Point;
+    velocity?: Point;
+    turn?: number;              // radians, counter-clockwise; in 3D about z
+    [parameter: string]: unknown;
+}
+
+export interface ColliderSpec {
+    /** Polygons and terrains are of 2D; polygons are convex, corners counter-clockwise; a terrain is solid on its right-hand side. */
+    shape: "half_space" | "sphere" | "capsule" | "box" | "polygon" | "terrain";
+    name?: string;
+    position?: Point;
+    turn?: number;              // radians
+    axis?: Point;               // 3D: of the turn; z if left out
+    half?: Point;               // box: half of its edges; capsule: half of its segment first
+    radius?: number;            // sphere, capsule
+    points?: Point[];           // polygon, terrain
+    isSensor?: boolean;         // touched without a push
+    bounce?: number;            // share of the approach speed given back, 0 to 1
+    friction?: number;          // Coulomb's coefficient
+    layers?: number;            // bits; the first if left out
+    mask?: number;              // layers that touch it; all if left out
+    oneWay?: Point;             // direction of the normals that are solid, in its own frame
+}
+
 export interface RayHit {
     share: number;              // of the way, 0 to 1
     point: number[];
@@ -260,8 +325,17 @@ export interface Simulation {
     readonly ends: Uint32Array;
     /** 1 for every particle asleep, else 0. */
     readonly sleepers: Uint32Array;
+    /** Of every distance: force along it, positive when pulling, and error as a fraction of the violated limit. */
+    readonly tensions: Float64Array;
+    readonly strains: Float64Array;
+    /** Rows of the corners of the triangles of filled cloth and skins, three each: an index buffer over `positions`. A patch that a cut has divided is none. */
+    readonly triangles: Uint32Array;
 
     figures(): { index: number; name: string; prefab: string; particles: number; isQuarantined: boolean }[];
+    /** Index of a figure. */
+    figure(name: string): number;
+    /** Rows of the particles of a figure, in their order. */
+    rowsOf(figure: number | string): Uint32Array;
     particle(nameOrRow: string | number): ParticleId;
     constraint(name: string): ConstraintId;
     nameOf(particle: ParticleId): string;
@@ -289,6 +363,13 @@ export interface Simulation {
     /** Pose at the end of the next step; what touches the collider is carried along. */
     moveCollider(collider: ColliderId | string, position: Point, turn?: number, axis?: Point): void;
 
+    addCollider(collider: ColliderSpec): ColliderId;
+    removeCollider(collider: ColliderId | string): void;
+
+    /** Builds a prefab; returns the figure's index. Throws SceneErrors for a parameter that is unknown or out of its range. */
+    addFigure(prefab: string, figure?: FigureSpec): number;
+    /** Removes a figure with its particles. */
+    removeFigure(figure: number | string): void;
     addParticle(spec: { position: Point; velocity?: Point; mass?: number; radius?: number }): ParticleId;
     removeParticle(particle: ParticleId | string): void;
     /** `low` and `high` limit the measure; without them the present measure is kept exactly. */

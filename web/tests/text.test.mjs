@@ -118,6 +118,51 @@ test("the scene is saved as JSON, the picture as PNG", () =>
         assert.equal(png.subarray(1, 4).toString(), "PNG");
     }));
 
+test("the scene is saved as files of other programs; the module for them is loaded once, when it is asked for", { timeout: 120_000 }, () =>
+    site.on(desktop, "#scene=rope", async (page) => {
+        const asked = [];
+        page.on("request", (request) => request.url().endsWith(".wasm") && asked.push(request.url().replace(/.*\//, "")));
+        await playing(page);
+        const saved = async (name) => {
+            await page.locator("summary", { hasText: "save" }).click();
+            const [download] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), page.getByRole("button", { name, exact: true }).click()]);
+            return [download.suggestedFilename(), await readFile(await download.path())];
+        };
+        assert.ok(asked.every((name) => !name.includes("export")), asked.join(" "));
+        const [name, glb] = await saved("model (glTF)");
+        assert.deepEqual([name, glb.subarray(0, 4).toString()], ["rope.glb", "glTF"]);
+        const { animations } = JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)).toString());
+        assert.ok(animations.length > 0);
+        const [drawing, svg] = await saved("moving drawing (SVG)");
+        assert.equal(drawing, "rope.svg");
+        assert.match(svg.toString(), /^<svg[^]*<animate/);
+        const [film, lottie] = await saved("animation (Lottie)");
+        assert.equal(film, "rope.json");
+        assert.ok(JSON.parse(lottie).layers.length > 0);
+        const [mesh, obj] = await saved("mesh (OBJ)");
+        assert.equal(mesh, "rope.obj");
+        assert.match(obj.toString(), /^v /m);
+        assert.equal(asked.filter((name) => name.includes("export")).length, 1);
+    }));
+
+test("an OBJ model is opened as cloth; what only the command reads is told", { timeout: 60_000 }, () =>
+    site.on(desktop, "#scene=rope", async (page) => {
+        await playing(page);
+        const open = async (name, text) => {
+            await page.locator("summary", { hasText: "save" }).click();
+            const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("button", { name: "open a file" }).click()]);
+            await chooser.setFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+        };
+        const corner = (i, k) => `v ${i * 0.5} ${k * 0.5} 0`, corners = [0, 1, 2].flatMap((k) => [0, 1, 2].map((i) => corner(i, k)));
+        await open("sheet.obj", [...corners, "f 1 2 5 4", "f 2 3 6 5", "f 4 5 8 7", "f 5 6 9 8"].join("\n"));
+        await page.waitForFunction(() => window.sinew.opened.name === "sheet" && window.sinew.stage.player.state().step > 10, null, { timeout: 30_000 });
+        assert.equal(await page.evaluate(() => window.sinew.stage.player.simulation.particleCount), 9);
+        await open("drawing.svg", "<svg/>");
+        await page.locator("#message.shown", { hasText: "sinew import drawing.svg" }).waitFor();
+        await open("empty.obj", "# nothing");
+        await page.locator("#message.shown", { hasText: "no vertices" }).waitFor();
+    }));
+
 test("share copies an address that another browser opens as the same scene", () =>
     site.on(desktop, "#scene=rope&mode=classic", async (page) => {
         await playing(page);

@@ -15,7 +15,7 @@ async function roomsOf(object) {
     if (!source) return path.basename(object).replace(/\(.*/, "");
     if (!source.startsWith("Unity/")) return source;
     const text = await readFile(path.join(path.dirname(mapPath), "..", folder, source), "utf8");
-    const rooms = [...text.matchAll(/#include ".*?\/((?:sinew|apps|bindings|canvas)\/[^"]*)\/[^/"]*"/g)].map(([, room]) => room);
+    const rooms = [...text.matchAll(/#include ".*?\/((?:sinew|player|bindings|canvas|files)\/[^"]*)\/[^/"]*"/g)].map(([, room]) => room);
     return [...new Set(rooms)].join(", ");
 }
 
