@@ -5,6 +5,7 @@
 
 #include "bindings/c/simulation.h"
 
+#include <algorithm>
 #include <utility>
 
 /// Reading a simulation: numbers, columns, particles, constraints, figures, events.
@@ -59,6 +60,27 @@ sinew_view measures_of(const WorldT& world, double ConstraintState::*number, std
     return view_of(numbers);
 }
 
+/// A surface as a fan of triangles. A corner may be there twice, after itself: a patch of three.
+void add_fan(std::vector<Row>& corners, std::vector<std::uint32_t>& rows) {
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (std::size_t i = 2; i < corners.size(); ++i) rows.insert(rows.end(), {corners[0], corners[i - 1], corners[i]});
+}
+
+/// Rows of the corners of the triangles of all whole patches of cloth and skin, in `rows`.
+template <class WorldT> sinew_view triangles_of(const WorldT& world, std::vector<std::uint32_t>& rows) {
+    rows.clear();
+    std::vector<Row> corners;
+    for (const auto& figure : world.figures)
+        for (const auto& piece : figure.pieces) {
+            if (piece.mark != Mark::surface || piece.hidden) continue;
+            corners.clear();
+            for (const auto id : piece.particles)
+                if (const auto row = row_of(world, id)) corners.push_back(*row);
+            if (corners.size() == piece.particles.size()) add_fan(corners, rows);
+        }
+    return view_of(rows, 3);
+}
+
 template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world, int column, Simulation& simulation) {
     const auto& particles = world.particles;
     switch (column) {
@@ -84,6 +106,8 @@ template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world,
         return measures_of(world, &ConstraintState::tension, simulation.numbers);
     case SINEW_STRAIN:
         return measures_of(world, &ConstraintState::strain, simulation.numbers);
+    case SINEW_TRIANGLES:
+        return triangles_of(world, simulation.rows);
     default:
         return std::nullopt;
     }

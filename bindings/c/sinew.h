@@ -1,6 +1,6 @@
 /* The C face of Sinew, in C11: everything that a scene file can say, edits, grabs, cuts, events, queries, the state
  * hash and the picture as a display list. The WebAssembly module of web/sinew exports every function but those marked
- * SINEW_PROGRAM_API, which are for programs: worlds built by calls, user data, debug drawing, export, hooks.
+ * SINEW_PROGRAM_API, which are for programs: empty worlds, user data, debug drawing, export, hooks.
  *
  * Two objects, named by handles:
  *   sinew_simulation  a running scene without a pointer: open, step, read columns, edit, draw.
@@ -200,7 +200,9 @@ typedef enum sinew_column SINEW_INT {
     SINEW_ASLEEP = 8,          /* uint32_t, 1: the particle is asleep */
     SINEW_TENSION = 9,         /* double, one for each distance: newtons (or the scene's unit of force), positive when
                                   pulling */
-    SINEW_STRAIN = 10          /* double, one for each distance: error as a fraction of the violated limit */
+    SINEW_STRAIN = 10,         /* double, one for each distance: error as a fraction of the violated limit */
+    SINEW_TRIANGLES = 11 /* uint32_t, three rows of particles for each triangle of filled cloth and of skins; a patch
+                            that a blade has divided is none */
 } sinew_column;
 
 /* Memory of the simulation, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may
@@ -623,12 +625,11 @@ typedef struct sinew_figure_spec {
 } sinew_figure_spec;
 /* Builds a prefab into the world. `figure` (may be null) is the index for sinew_figure_at(). SINEW_BAD_SCENE, with
  * diagnostics, for an unknown prefab or a parameter out of its range. */
-SINEW_PROGRAM_API sinew_status sinew_add_figure(sinew_simulation simulation, const sinew_figure_spec* spec,
-                                                uint32_t* figure);
+SINEW_API sinew_status sinew_add_figure(sinew_simulation simulation, const sinew_figure_spec* spec, uint32_t* figure);
 /* Removes a figure with its particles. */
-SINEW_PROGRAM_API sinew_status sinew_remove_figure(sinew_simulation simulation, uint32_t figure);
+SINEW_API sinew_status sinew_remove_figure(sinew_simulation simulation, uint32_t figure);
 /* Index of a figure by name. */
-SINEW_PROGRAM_API sinew_status sinew_find_figure(sinew_simulation simulation, const char* name, uint32_t* figure);
+SINEW_API sinew_status sinew_find_figure(sinew_simulation simulation, const char* name, uint32_t* figure);
 
 typedef enum sinew_collider_shape SINEW_INT {
     SINEW_HALF_SPACE = 0, /* solid below its own x axis (in 3D its xz plane) */
@@ -657,9 +658,9 @@ typedef struct sinew_collider_spec {
     uint32_t mask;       /* layers that touch it; 0: all */
     sinew_point one_way; /* direction of the normals that are solid, in its own frame; all zero: all */
 } sinew_collider_spec;
-SINEW_PROGRAM_API sinew_status sinew_add_collider(sinew_simulation simulation, const sinew_collider_spec* spec,
-                                                  sinew_collider* collider);
-SINEW_PROGRAM_API sinew_status sinew_remove_collider(sinew_simulation simulation, sinew_collider collider);
+SINEW_API sinew_status sinew_add_collider(sinew_simulation simulation, const sinew_collider_spec* spec,
+                                          sinew_collider* collider);
+SINEW_API sinew_status sinew_remove_collider(sinew_simulation simulation, sinew_collider collider);
 
 /* --- user data --------------------------------------------------------------------------------------------------- */
 
