@@ -12,9 +12,14 @@ export class Thumbnails {
 
     constructor(scenes: CatalogueScene[]) {
         this.send({ order: "begin", scenes });
-        this.worker.addEventListener("message", ({ data }: MessageEvent<{ drawn: string }>) => {
-            for (const [canvas, name] of this.names) if (name === data.drawn) canvas.classList.add("drawn");
+        this.worker.addEventListener("message", ({ data }: MessageEvent<{ drawn: string; modes: number }>) => {
+            for (const [canvas, name] of this.names) if (name === data.drawn) this.drawn(canvas as HTMLCanvasElement, data.modes);
         });
+    }
+
+    private drawn(canvas: HTMLCanvasElement, modes: number): void {
+        canvas.classList.add("drawn");
+        canvas.dataset.modes = String(modes); // 2: classic beside physical
     }
 
     add(canvas: HTMLCanvasElement, name: string): void {
@@ -35,7 +40,7 @@ export class Thumbnails {
         if (this.given.has(name)) this.send({ order: "see", name, visible });
     }
 
-    /** Gives the scene under the pointer the most frames. */
+    /** Gives the scene under the pointer the most frames, in both modes beside each other. */
     prefer(name: string, on: boolean): void {
         this.send({ order: "prefer", name: on ? name : "" });
     }

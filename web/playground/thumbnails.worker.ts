@@ -1,4 +1,4 @@
-import { Canvas2DPainter, load, type CatalogueScene, type Simulation } from "../sinew/index.js";
+import { Canvas2DPainter, load, type CatalogueScene, type OpenOptions, type Player, type Simulation } from "../sinew/index.js";
 import { context2d } from "../common/context.js";
 import { Assets, type Loaded } from "../common/engine.js";
 
@@ -15,6 +15,8 @@ interface Thumbnail {
     canvas: OffscreenCanvas;
     painter: Canvas2DPainter;
     simulation: Simulation | null;
+    /** Both modes beside each other, while the pointer is on the picture. */
+    both: Player | null;
     theme: string;
     visible: boolean;
     scene: CatalogueScene | null;
@@ -43,14 +45,22 @@ self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
         const known = thumbnails.get(data.name);
         if (known) known.visible = data.visible;
     }
-    if (data.order === "prefer") preferred = data.name;
+    if (data.order === "prefer") prefer(data.name);
     if (data.order === "run") [isRunning, isStill, theme] = [data.on, data.still, data.theme];
     queue();
 });
 
 function open({ name, canvas }: Order & { order: "open" }): void {
     const painter = new Canvas2DPainter(context2d(canvas), { font: "system-ui, sans-serif" });
-    thumbnails.set(name, { name, canvas, painter, scene: null, simulation: null, theme: "", visible: true, time: 0, drawnAt: 0, cost: 1 });
+    thumbnails.set(name, { name, canvas, painter, scene: null, simulation: null, both: null, theme: "", visible: true, time: 0, drawnAt: 0, cost: 1 });
+}
+
+/** The picture under the pointer shows classic mode beside physical mode, from the start. */
+function prefer(name: string): void {
+    const before = thumbnails.get(preferred);
+    before?.both?.dispose();
+    if (before) before.both = null;
+    preferred = name;
 }
 
 function queue(): void {
@@ -86,10 +96,10 @@ async function advanceOne(): Promise<boolean> {
     const [name, one] = most;
     const begun = performance.now();
     if (!one.simulation || one.theme !== theme) await start(one);
-    else advance(one, Math.min((begun - one.drawnAt) / 1000, 0.12));
+    else await advance(one, Math.min((begun - one.drawnAt) / 1000, 0.12));
     one.drawnAt = performance.now();
     one.cost = one.cost * 0.8 + (one.drawnAt - begun) * 0.2;
-    self.postMessage({ drawn: name });
+    self.postMessage({ drawn: name, modes: one.both ? 2 : 1 });
     return true;
 }
 
@@ -99,14 +109,38 @@ async function start(one: Thumbnail): Promise<void> {
     if (!one.scene) return;
     await assets.giveTo(one.painter, one.scene.text);
     one.simulation?.dispose();
-    one.simulation = engine.open(one.scene.text, { ...assets.optionsOf(one.scene.text), overrides: theme === "dark" ? ["view.theme=dark"] : [] });
+    one.simulation = engine.open(one.scene.text, optionsOf(one.scene.text, assets));
     one.theme = theme;
     one.time = Math.max(one.time, begins);
     one.simulation.runUntil(one.time);
     paint(one);
 }
 
-function advance(one: Thumbnail, seconds: number): void {
+const optionsOf = (text: string, assets: Assets): OpenOptions => ({ ...assets.optionsOf(text), overrides: theme === "dark" ? ["view.theme=dark"] : [] });
+
+async function startBoth(one: Thumbnail, scene: CatalogueScene): Promise<void> {
+    const { engine, assets } = await loading;
+    if (preferred !== one.name || one.both) return;
+    one.both = engine.play(scene.text, optionsOf(scene.text, assets));
+    one.both.resize(one.canvas.width, one.canvas.height);
+    one.both.do("split");
+}
+
+function advanceBoth(player: Player, one: Thumbnail, scene: CatalogueScene, seconds: number): void {
+    player.advance(seconds);
+    if (player.simulation.report().seconds > scene.seconds) player.do("restart");
+    one.painter.paint(player.draw());
+}
+
+async function advance(one: Thumbnail, seconds: number): Promise<void> {
+    if (one.scene && one.name === preferred && !isStill) {
+        if (!one.both) await startBoth(one, one.scene);
+        if (one.both) return advanceBoth(one.both, one, one.scene, seconds);
+    }
+    advanceOwn(one, seconds);
+}
+
+function advanceOwn(one: Thumbnail, seconds: number): void {
     const { simulation, scene } = one;
     if (!simulation || !scene) return;
     one.time += seconds;
