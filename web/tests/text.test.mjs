@@ -119,10 +119,11 @@ test("the scene is saved as JSON, the picture as PNG", () =>
     }));
 
 test("the scene is saved as files of other programs; the module for them is loaded once, when it is asked for", { timeout: 120_000 }, () =>
-    site.on(desktop, "#scene=rope", async (page) => {
+    site.on(desktop, "#scene=rope&seconds=1", async (page) => {
         const asked = [];
         page.on("request", (request) => request.url().endsWith(".wasm") && asked.push(request.url().replace(/.*\//, "")));
         await playing(page);
+        await page.evaluate(() => window.sinew.stage.player.pause()); // leaves the processor to the file
         const saved = async (name) => {
             await page.locator("summary", { hasText: "save" }).click();
             const [download] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), page.getByRole("button", { name, exact: true }).click()]);
