@@ -6,6 +6,7 @@ import base64
 import gzip
 import html
 import json
+import posixpath
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,8 +19,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Animation"]
 
-_modules = ("engine.js", "errors.js", "memory.js", "player.js", "simulation.js", "picture.js", "platform.js",
-            "painters/canvas2d.js", "painters/image_grid.js", "painters/mesh.js", "painters/tile_raster.js")
+_entries = ("engine.js", "painters/canvas2d.js")  # imported by player.html
+_import = re.compile(r'from "(\.\.?/[^"]+)"')
 
 
 def web_folder() -> Path | None:
@@ -33,13 +34,22 @@ def _base64(data: bytes) -> str:
     return base64.b64encode(data).decode()
 
 
-def _module_url(folder: Path, name: str) -> str:
-    """The module as a data URL. Its imports become bare names, which the page's import map knows."""
-    def absolute(match: re.Match[str]) -> str:
-        return f'from "sinew/{(Path(name).parent / match[1]).as_posix()}"'.replace("painters/../", "")
+def _imported(name: str, word: str) -> str:
+    """Name of the module that `name` imports by a relative word."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(name), word))
 
-    text = re.sub(r'from "(\.\.?/[^"]+)"', absolute, (folder / name).read_text(encoding="utf-8"))
-    return "data:text/javascript;base64," + _base64(text.encode())
+
+def modules_of(folder: Path) -> dict[str, str]:
+    """Text by name of all modules that the player needs. Imports become bare names, which the page's import map knows."""
+    found: dict[str, str] = {}
+    left = list(_entries)
+    while left:
+        name = left.pop()
+        if name not in found:
+            text = (folder / name).read_text(encoding="utf-8")
+            left += [_imported(name, word) for word in _import.findall(text)]
+            found[name] = _import.sub(lambda match: f'from "sinew/{_imported(name, match[1])}"', text)
+    return found
 
 
 class Animation:
@@ -65,7 +75,7 @@ class Animation:
             "overrides": {"solver.precision": "double"} if self._is_float else {},
             "engine": _base64(gzip.compress((folder / "sinew.wasm").read_bytes(), mtime=0)),
         }
-        modules = {f"sinew/{name}": _module_url(folder, name) for name in _modules}
+        modules = {f"sinew/{name}": "data:text/javascript;base64," + _base64(text.encode()) for name, text in modules_of(folder).items()}
         template = (Path(__file__).parent / "player.html").read_text(encoding="utf-8")
         quoted = json.dumps(given).replace("</", "<\\/")
         return template.replace("$modules", json.dumps(modules)).replace("$given", quoted)

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -10,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import sinew
-from sinew.notebook import web_folder
+from sinew.notebook import modules_of, web_folder
 
 notebooks = sorted((Path(__file__).resolve().parents[3] / "examples" / "notebooks").glob("*.ipynb"))
 
@@ -42,6 +43,13 @@ def test_a_notebook_runs(path, kernel, tmp_path):
 def test_notebooks_are_kept_without_outputs(path):
     cells = json.loads(path.read_text())["cells"]
     assert all(not cell.get("outputs") for cell in cells)
+
+
+def test_the_player_has_every_module_that_a_module_imports():
+    """Also where the engine for the browser is not built."""
+    modules = modules_of(Path(__file__).resolve().parents[3] / "web" / "sinew")
+    imported = {name for text in modules.values() for name in re.findall(r'from "([^"]+)"', text)}
+    assert imported and imported <= {f"sinew/{name}" for name in modules}
 
 
 @pytest.fixture
