@@ -1,6 +1,6 @@
-#include "files/in/encoded.h"
 #include "files/in/formats.h"
 #include "files/in/neighbor.h"
+#include "files/in/tiled_cells.h"
 #include "files/in/tiled_objects.h"
 
 #include <algorithm>
@@ -13,31 +13,6 @@ namespace {
 constexpr std::uint32_t mirrored_across = 0x80000000, mirrored_down = 0x40000000, swapped_axes = 0x20000000,
                         number_mask = 0x0fffffff;
 constexpr std::size_t most_cells = 1'000'000;
-
-/// An upright rectangle.
-struct TileBox {
-    Vec2<double> low{}, high{};
-    std::string place;
-};
-
-/// Boxes that meet along a whole side become one: what slides over them meets no corners between.
-void merge_boxes(std::vector<TileBox>& boxes, int axis) {
-    const int other = 1 - axis;
-    std::ranges::stable_sort(boxes, {},
-                             [&](const TileBox& b) { return std::tuple(b.low[other], b.high[other], b.low[axis]); });
-    std::vector<TileBox> merged;
-    constexpr double little = 1e-6; // pixels
-    for (auto& box : boxes) {
-        const bool joins = !merged.empty() && merged.back().low[other] == box.low[other] &&
-                           merged.back().high[other] == box.high[other] &&
-                           absolute(merged.back().high[axis] - box.low[axis]) < little;
-        if (joins)
-            merged.back().high[axis] = box.high[axis];
-        else
-            merged.push_back(std::move(box));
-    }
-    boxes = std::move(merged);
-}
 
 class TiledReader {
   public:
@@ -209,29 +184,11 @@ class TiledReader {
         if ((cells_ += count) > most_cells) data.fail(concat("the map has more than ", most_cells, " cells"));
         std::vector<std::uint32_t> cells;
         if (data.exists() && data.value()->as<std::string>()) {
-            const auto bytes = cell_bytes(data, layer["compression"].text_or(""), 4 * count);
-            for (std::size_t i = 0; i < count; ++i) {
-                std::uint32_t cell = 0;
-                for (std::size_t k = 0; k < 4; ++k) cell |= std::uint32_t(std::uint8_t(bytes[4 * i + k])) << (8 * k);
-                cells.push_back(cell);
-            }
-            return cells;
+            return packed_cells(data, layer["compression"].text_or(""), count);
         }
         if (data.size() != count) data.fail(concat("expected ", count, " cells, found ", data.size()));
         for (std::size_t i = 0; i < count; ++i) cells.push_back(std::uint32_t(data[i].index()));
         return cells;
-    }
-    static std::string cell_bytes(const JsonNode& data, const std::string& compression, std::size_t size) {
-        auto bytes = from_base64(data.text());
-        if (!bytes) data.fail("this is not base64");
-        if (compression == "zlib" || compression == "gzip")
-            bytes = inflated(*bytes, size);
-        else if (!compression.empty())
-            data.fail(concat("layers compressed by ", printable(compression),
-                             " cannot be read: choose zlib, gzip or CSV in the map's properties"));
-        if (!bytes || bytes->size() != size)
-            data.fail(concat("the data of the layer is damaged: expected ", size, " bytes"));
-        return *bytes;
     }
 
     /// Adds the shapes of a cell; false for a cell without any.
