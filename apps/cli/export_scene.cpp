@@ -6,11 +6,13 @@
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/imported_file.h"
 #include "apps/cli/scene_file.h"
 #include "apps/cli/scrap.h"
 #include "apps/cli/stepping.h"
 #include "canvas/formats.h"
 #include "canvas/interrupt.h"
+#include "files/in/posed_model.h"
 #include "files/out/export_formats.h"
 #include "files/out/frame_name.h"
 
@@ -74,6 +76,7 @@ class ExportCommand final : public Command {
             .examples = "sinew export cloth3d -o silk.pc2 --seconds 4 --fps 24\n"
                         "sinew export curtain -o frames/curtain-%04d.obj --seconds 4\n"
                         "sinew export rope -o rope.glb\n"
+                        "sinew export human.json -o fall.glb --model human.glb\n"
                         "sinew export ragdoll -o ragdoll.json --seconds 3 --error 0.5\n"
                         "sinew export ragdoll -o ragdoll.svg --seconds 3 view.plain=true\n"
                         "sinew export ragdoll -o frames/%04d.png --background none --follow bob --scale 2\n",
@@ -88,6 +91,10 @@ class ExportCommand final : public Command {
         declare_number(parser, "--fps", fps, {1e-3, 1000}, "F", "frames a second; else what is usual for the format");
         declare_number(parser, "--at", at, possible_seconds, "T", "the second of the first frame, or of the only one");
         declare_text(parser, "--of", figures, "A,B", "of a model: figures by name; else all");
+        declare_whole(parser, "--joints", joints, {1, 1000}, "N",
+                      "of a .glb: so many carry a moving mesh, for engines; else a morph target a key");
+        declare_text(parser, "--model", model, "FILE",
+                     "of a .glb: the glTF model whose skeleton was imported, moved with its meshes");
         declare_text(parser, "--until", until, "EVENT", "ends at the first event of this kind: torn, cut, hit ...");
         declare_pair(parser, "--size", size, "WxH", "pixels of a picture; else what the scene says");
         declare_number(parser, "--scale", scale, {0.01, 100}, "X", "of a picture: so many times the size");
@@ -106,11 +113,21 @@ class ExportCommand final : public Command {
         canvas::catch_interrupts();
         Run run(open_file(words.scene, words.overrides));
         auto request = request_for(format, run.session);
-        const auto exporter = format.open(request);
+        const auto exporter = model.empty() ? format.open(request) : posed_model(format, request);
         write_frames(run, format, request.fps, *exporter);
         settle(exporter->finish());
         print(report(*exporter));
         return done;
+    }
+
+    std::unique_ptr<files::Exporter> posed_model(const files::ExportFormat& format,
+                                                 const files::ExportRequest& request) const {
+        if (format.ending != ".glb") usage_error("only a .glb takes a model along", "-o FILE.glb");
+        try {
+            return files::open_posed_model(request, read_import(model));
+        } catch (const files::ImportError& error) {
+            refuse(model, error.place.empty() ? error.message : error.place + ": " + error.message, error.help);
+        }
     }
 
     const files::ExportFormat& chosen_format() const {
@@ -132,6 +149,7 @@ class ExportCommand final : public Command {
         request.size = picture_size(session.scene());
         request.background = background_color();
         request.follow = follow, request.caption = caption, request.tolerance = tolerance;
+        request.joints = joints ? std::size_t(*joints) : 0;
         return request;
     }
 
@@ -196,8 +214,9 @@ class ExportCommand final : public Command {
         "Models are in metres with y upwards, whatever the scene's units are.\n"
         "A file appears under its name when it is complete, or not at all.\n";
     SceneWords words;
-    std::string path, format_name, figures, until, background, follow, caption;
+    std::string path, format_name, figures, model, until, background, follow, caption;
     std::optional<double> seconds, fps, at, scale, tolerance;
+    std::optional<int> joints;
     std::optional<std::array<int, 2>> size;
     std::size_t count = 0; ///< frames written
     double begin = 0, end = 0;

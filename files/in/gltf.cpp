@@ -1,9 +1,8 @@
 #include "sinew/scene/text.h"
 
 #include "files/in/formats.h"
-#include "files/in/gltf_data.h"
+#include "files/in/gltf_nodes.h"
 #include "files/in/model_scene.h"
-#include "files/in/skeleton.h"
 
 #include <algorithm>
 #include <array>
@@ -14,22 +13,21 @@ namespace sinew::files {
 namespace {
 
 constexpr std::array<std::string_view, 2> readable_extensions = {"KHR_mesh_quantization", "KHR_texture_transform"};
-constexpr std::size_t most_nodes = 20'000;
 
 class GltfReader {
   public:
     GltfReader(const ImportFile& file, const ImportOptions& options)
-        : file_(file), data_(file), scene_(file, options) {}
+        : file_(file), data_(file), nodes_(data_.root()), scene_(file, options) {}
 
     Imported read() {
         check_extensions();
-        place_nodes();
-        for (std::size_t i = 0; i < root()["skins"].size(); ++i) find_skeleton(root()["skins"][i]);
-        for (std::size_t i = 0; i < maps_.size(); ++i)
-            if (maps_[i]) add_node(root()["nodes"][i], *maps_[i]);
-        for (const auto& skeleton : skeletons_)
-            for (const auto& joint : skeleton) scene_.include(joint.at);
-        for (const auto& skeleton : skeletons_) add_ragdoll(skeleton);
+        if (const auto scenes = root()["scenes"]; scenes.size() > 1)
+            scene_.notes().count(scenes.place(), concat("of ", scenes.size(), " scenes one is taken"));
+        for (std::size_t i = 0; i < nodes_.maps.size(); ++i)
+            if (nodes_.maps[i]) add_node(root()["nodes"][i], *nodes_.maps[i]);
+        for (const auto& skeleton : nodes_.skeletons)
+            for (const auto& joint : skeleton.joints) scene_.include(joint.at);
+        for (const auto& skeleton : nodes_.skeletons) add_ragdoll(skeleton.joints);
         for (const auto* const part : {"animations", "textures"})
             if (root()[part].size() > 0) scene_.notes().count(root()[part].place(), concat(part, " are not taken"));
         return scene_.finish();
@@ -38,12 +36,8 @@ class GltfReader {
   private:
     const ImportFile& file_;
     GltfData data_;
+    GltfNodes nodes_;
     ModelScene scene_;
-    std::vector<std::optional<Affine3>> maps_; ///< of nodes in the scene, to the world
-    std::vector<std::optional<std::size_t>> parents_;
-    std::vector<std::size_t> order_; ///< of nodes, parents first
-    std::vector<std::vector<SkeletonJoint>> skeletons_;
-    std::vector<bool> is_joint_;
     std::size_t points_ = 0;
 
     const JsonNode& root() const { return data_.root(); }
@@ -57,74 +51,13 @@ class GltfReader {
                     concat("the file cannot be read without ", printable(name), ": export it without compression"));
     }
 
-    /// Maps of all nodes of the scene to the world.
-    void place_nodes() {
-        const auto nodes = root()["nodes"];
-        if (nodes.size() > most_nodes) nodes.fail(concat("at most ", most_nodes, " nodes are read"));
-        maps_.resize(nodes.size()), parents_.resize(nodes.size()), is_joint_.resize(nodes.size());
-        const auto scenes = root()["scenes"];
-        const auto number = root()["scene"].exists() ? root()["scene"].index() : 0;
-        const auto roots = scenes[number]["nodes"];
-        if (scenes.size() > 1)
-            scene_.notes().count(scenes.place(), concat("of ", scenes.size(), " scenes one is taken"));
-        if (roots.exists())
-            for (std::size_t i = 0; i < roots.size(); ++i) place(roots[i], {}, {}, 0);
-    }
-
-    void place(const JsonNode& index, const Affine3& outer, std::optional<std::size_t> parent, std::size_t depth) {
-        const auto i = index.index(), count = maps_.size();
-        if (i >= count) index.fail(concat("there are only ", count, " nodes"));
-        constexpr std::size_t deepest = 256; // skeletons are deeper than scenes
-        if (depth > deepest) index.fail(concat("nodes nest more than ", deepest, " deep"));
-        if (maps_[i]) index.fail(concat("node ", i, " has two parents, or is below itself"));
-        const auto node = root()["nodes"][i];
-        maps_[i] = outer * GltfData::matrix_of(node);
-        parents_[i] = parent;
-        order_.push_back(i);
-        const auto children = node["children"];
-        for (std::size_t k = 0; k < children.size(); ++k) place(children[k], *maps_[i], i, depth + 1);
-    }
-
-    /// Joints of a skin, each with the nearest joint above it. Skins of several meshes often share one skeleton.
-    void find_skeleton(const JsonNode& skin) {
-        const auto joints = skin["joints"];
-        std::vector<std::optional<std::size_t>> numbers(maps_.size());
-        std::vector<bool> in_skin(maps_.size());
-        bool is_known = true;
-        for (std::size_t i = 0; i < joints.size(); ++i) {
-            const auto node = joints[i].index();
-            if (node >= maps_.size() || !maps_[node]) joints[i].fail(concat("node ", node, " is not in the scene"));
-            is_known = is_known && is_joint_[node];
-            is_joint_[node] = in_skin[node] = true;
-        }
-        if (is_known) return;
-        std::vector<SkeletonJoint> skeleton;
-        for (const auto i : order_) {
-            if (!in_skin[i]) continue;
-            const auto node = root()["nodes"][i];
-            auto above = parents_[i];
-            while (above && !in_skin[*above]) above = parents_[*above];
-            numbers[i] = skeleton.size();
-            skeleton.push_back({node["name"].text_or("joint"), node.place(), above ? numbers[*above] : std::nullopt,
-                                maps_[i]->origin});
-            check(skeleton.back().at, node);
-        }
-        skeletons_.push_back(std::move(skeleton));
-    }
-
-    static void check(const Vec3<double>& p, const JsonNode& node) {
-        constexpr double furthest = 1e6;
-        for (int i = 0; i < 3; ++i)
-            if (!(absolute(p[i]) <= furthest)) node.fail(fmt::format("a coordinate is beyond {:g}", furthest));
-    }
-
     void add_node(const JsonNode& node, const Affine3& map) {
         for (const auto* const part : {"camera", "light"})
             if (node[part].exists()) scene_.notes().count(node.place(), concat(part, "s are not taken"));
         if (!node["mesh"].exists()) return;
         if (node["skin"].exists())
-            return scene_.notes().count(node.place(),
-                                        "a mesh with a skin is not taken: its skeleton comes as a ragdoll");
+            return scene_.notes().count(node.place(), "a mesh with a skin comes as the ragdoll of its skeleton: "
+                                                      "`sinew export --model` moves the mesh by it");
         const auto number = node["mesh"].index();
         const auto mesh = root()["meshes"][number];
         if (!mesh.object()) node["mesh"].fail(concat("there is no mesh ", number));
@@ -158,7 +91,7 @@ class GltfReader {
         const auto first = std::uint32_t(model.points.size());
         for (std::size_t i = 0; i < count; ++i) {
             model.points.push_back(map({{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]}}));
-            check(model.points.back(), primitive);
+            check_point(model.points.back(), primitive);
         }
         auto corners =
             primitive["indices"].exists() ? data_.indices(primitive["indices"], count) : std::vector<std::uint32_t>();

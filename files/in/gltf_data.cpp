@@ -92,7 +92,8 @@ GltfData::GltfData(const ImportFile& file) {
     auto chunks = is_glb(file.bytes) ? chunks_of(file.bytes) : GlbChunks{file.bytes, {}};
     // Chunks are padded with blanks, by some writers with zeros.
     while (!chunks.json.empty() && chunks.json.back() == '\0') chunks.json.pop_back();
-    json_ = std::make_unique<JsonFile>(file.name, std::move(chunks.json));
+    text_ = std::move(chunks.json);
+    json_ = std::make_unique<JsonFile>(file.name, text_);
     root_ = std::make_unique<JsonNode>(*json_);
     if (const auto version = (*root_)["asset"]["version"]; version.exists() && !version.text().starts_with("2"))
         version.fail("only version 2 of glTF is read");

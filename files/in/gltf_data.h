@@ -25,6 +25,8 @@ class GltfData {
   public:
     explicit GltfData(const ImportFile& file);
     const JsonNode& root() const { return *root_; }
+    const std::string& text() const { return text_; }
+    const std::vector<std::string>& buffers() const { return buffers_; }
 
     /// Numbers of an accessor of `components` each, one after the other; integers of "normalized" accessors become
     /// shares. Throws ImportError.
@@ -35,6 +37,7 @@ class GltfData {
     static Affine3 matrix_of(const JsonNode& node);
 
   private:
+    std::string text_; ///< the JSON
     std::unique_ptr<JsonFile> json_;
     std::unique_ptr<JsonNode> root_;
     std::vector<std::string> buffers_;

@@ -25,8 +25,8 @@ struct RagdollParticle {
 class RagdollBuilder {
   public:
     RagdollBuilder(const std::vector<SkeletonJoint>& joints, double scale, Notes& notes) : notes_(notes) {
-        std::vector<std::optional<std::size_t>> numbers;
-        for (const auto& joint : joints) numbers.push_back(add_joint(joint, numbers, scale));
+        for (const auto& joint : joints) numbers_.push_back(add_joint(joint, numbers_, scale));
+        joints_ = particles_.size();
         add_tips();
         children_.resize(particles_.size());
         for (std::size_t i = 0; i < particles_.size(); ++i)
@@ -35,6 +35,17 @@ class RagdollBuilder {
     }
 
     std::size_t size() const { return particles_.size(); }
+
+    JointParticles joint_particles() const {
+        JointParticles result;
+        std::size_t fresh = 0; // particles are in the order of their joints
+        for (const auto number : numbers_) {
+            result.names.push_back(number ? particles_[*number].name : "");
+            result.is_own.push_back(number == fresh && fresh < joints_);
+            if (result.is_own.back()) ++fresh;
+        }
+        return result;
+    }
 
     json::Object figure(const std::string& name) {
         for (std::size_t i = 0; i < particles_.size(); ++i) link(i);
@@ -50,6 +61,8 @@ class RagdollBuilder {
 
   private:
     Notes& notes_;
+    std::vector<std::optional<std::size_t>> numbers_; ///< particles by joint
+    std::size_t joints_ = 0;                          ///< particles of joints, before those of tips
     std::vector<RagdollParticle> particles_;
     std::vector<std::vector<std::size_t>> children_;
     NewNames names_;
@@ -98,6 +111,7 @@ class RagdollBuilder {
     }
 
     double height() const {
+        if (particles_.empty()) return 0;
         double low = particles_[0].at[1], high = low;
         for (const auto& p : particles_) low = std::min(low, p.at[1]), high = std::max(high, p.at[1]);
         double longest = high - low;
@@ -230,6 +244,11 @@ json::Object ragdoll_of(const std::vector<SkeletonJoint>& joints, const std::str
     RagdollBuilder builder(joints, scale, notes);
     if (builder.size() < 2) return {};
     return builder.figure(name);
+}
+
+JointParticles joint_particles(const std::vector<SkeletonJoint>& joints, double scale) {
+    Notes notes;
+    return RagdollBuilder(joints, scale, notes).joint_particles();
 }
 
 } // namespace sinew::files

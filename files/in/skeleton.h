@@ -23,4 +23,12 @@ struct SkeletonJoint {
 /// length. Fingers are left out. Notes tell what else is.
 json::Object ragdoll_of(const std::vector<SkeletonJoint>& joints, const std::string& name, double scale, Notes& notes);
 
+/// Names that the ragdoll's particles have for the joints: those of fingers and of joints at one place have the name of
+/// the particle above, which may be none.
+struct JointParticles {
+    std::vector<std::string> names;
+    std::vector<bool> is_own; ///< the joint has a particle to itself
+};
+JointParticles joint_particles(const std::vector<SkeletonJoint>& joints, double scale);
+
 } // namespace sinew::files

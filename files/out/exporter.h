@@ -35,6 +35,7 @@ struct ExportRequest {
     std::string caption{};              ///< line of text at the bottom of pictures; empty: none
     /// By which a motion may be off between its keys: pixels of vectors, millimetres of models; nothing: the format's.
     std::optional<double> tolerance{};
+    std::size_t joints = 0;     ///< of a .glb: so many carry a moving mesh, for engines; 0: a morph target a key
     TakeFile take = write_file; ///< of models and vectors; pictures and films are written to disk
 };
 

@@ -22,7 +22,7 @@ class GlbExporter final : public Exporter {
     Failure finish() override {
         const double tolerance = request_.tolerance.value_or(usual_error) / 1000;
         std::string bytes;
-        if (auto failure = glb_of(film_, {request_.fps, tolerance}, bytes, notes_)) return failure;
+        if (auto failure = glb_of(film_, {request_.fps, tolerance, request_.joints}, bytes, notes_)) return failure;
         notes_.push_back(format_text("points are at most {:6} mm off between keys", tolerance * 1000));
         written_ = {request_.path};
         return request_.take(request_.path, bytes);

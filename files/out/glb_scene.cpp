@@ -4,6 +4,7 @@
 #include "sinew/scene/text.h"
 
 #include "files/out/face_mesh.h"
+#include "files/out/joint_skin.h"
 #include "files/out/node_motion.h"
 #include "files/out/rigid_fit.h"
 #include "files/out/solids.h"
@@ -24,8 +25,8 @@ using Elements = std::span<const MeshElement>;
 
 class SceneWriter {
   public:
-    SceneWriter(const MeshFilm& film, const GlbTiming& timing, std::vector<std::string>& notes)
-        : film_(film), tolerance_(timing.tolerance), notes_(notes), document_(timing.fps) {
+    SceneWriter(const MeshFilm& film, const GlbMotion& motion, std::vector<std::string>& notes)
+        : film_(film), tolerance_(motion.tolerance), joints_(motion.joints), notes_(notes), document_(motion.fps) {
         for (const auto& group : form().groups)
             materials_.push_back(document_.add_material(group.figure + "/" + group.part, group.color));
     }
@@ -172,7 +173,22 @@ class SceneWriter {
             if (motion) set_rigid(node, mesh.vertices, *motion, called);
             return {};
         }
-        return add_morphed(called, mesh);
+        return joints_ > 0 ? add_skinned(called, mesh) : add_morphed(called, mesh);
+    }
+
+    /// The mesh stands beside the figure's node: a skin disregards the nodes above its mesh.
+    Failure add_skinned(const std::string& called, const FaceMesh& mesh) {
+        const auto skin = joint_skin(mesh, film_, joints_);
+        std::vector<int> nodes;
+        for (const auto& motion : skin.joints) {
+            nodes.push_back(add_node(concat(called, "_joint_", nodes.size()), figure_));
+            animate(document_, nodes.back(), motion, tolerance_, 1);
+        }
+        const int node = add_node(called, -1, document_.add_mesh(called, posed(mesh, film_, 0), mesh.parts));
+        document_.add_skin(node, nodes, skin);
+        notes_.push_back(format_text("{} follows {} joints, at most {:2} m off, {:2} m in the mean", called,
+                                     nodes.size(), skin.error, skin.mean));
+        return {};
     }
 
     Failure add_morphed(const std::string& called, const FaceMesh& mesh) {
@@ -199,6 +215,7 @@ class SceneWriter {
 
     const MeshFilm& film_;
     const double tolerance_; ///< metres
+    const std::size_t joints_;
     std::vector<std::string>& notes_;
     GltfDocument document_;
     std::vector<int> materials_; ///< by group
@@ -215,8 +232,8 @@ class SceneWriter {
 
 } // namespace
 
-Failure glb_of(const MeshFilm& film, const GlbTiming& timing, std::string& bytes, std::vector<std::string>& notes) {
-    return SceneWriter(film, timing, notes).write(bytes);
+Failure glb_of(const MeshFilm& film, const GlbMotion& motion, std::string& bytes, std::vector<std::string>& notes) {
+    return SceneWriter(film, motion, notes).write(bytes);
 }
 
 } // namespace sinew::files

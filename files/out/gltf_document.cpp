@@ -1,5 +1,8 @@
 #include "files/out/gltf_document.h"
 
+#include "files/out/glb_bytes.h"
+#include "files/out/joint_skin.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -14,11 +17,11 @@ using Json = nlohmann::json;
 
 /// Numbers of the specification.
 constexpr int vertex_data = 34962, index_data = 34963, float_type = 5126, unsigned_type = 5125;
-constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
 static_assert(std::endian::native == std::endian::little, "glTF's numbers have the lowest byte first");
 
 const char* type_of(int components) {
+    if (components == 16) return "MAT4";
     constexpr std::array names = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
     return names[std::size_t(components)];
 }
@@ -32,10 +35,6 @@ double linear(float channel) {
 int last_of(Json& list, Json item) {
     list.push_back(std::move(item));
     return int(list.size()) - 1;
-}
-
-void put(std::string& bytes, std::uint32_t number) {
-    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
 } // namespace
@@ -95,6 +94,34 @@ void GltfDocument::place(int node, const Vec3<double>& translation, const Vec<4,
     json["translation"] = translation.component;
     json["rotation"] = rotation.component;
     json["scale"] = scale.component;
+}
+
+void GltfDocument::add_skin(int node, std::span<const int> joints, const JointSkin& skin) {
+    auto& root = *root_;
+    std::vector<float> inverses, weights;
+    for (const auto& joint : skin.joints) {
+        const auto& at = joint.translation[0];
+        for (const double number :
+             {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, -at[0], -at[1], -at[2], 1.0})
+            inverses.push_back(float(number));
+    }
+    std::vector<std::uint16_t> numbers;
+    for (const auto& vertex : skin.vertices) {
+        numbers.insert(numbers.end(), vertex.joints.begin(), vertex.joints.end());
+        weights.insert(weights.end(), vertex.weights.begin(), vertex.weights.end());
+    }
+    auto& json = root["nodes"][std::size_t(node)];
+    json["skin"] = last_of(root["skins"], {{"joints", std::vector<int>(joints.begin(), joints.end())},
+                                           {"inverseBindMatrices", add_accessor(inverses, 16, 0, false)}});
+    constexpr int short_type = 5123;
+    const int places =
+        last_of(root["accessors"], {{"bufferView", add_view(std::as_bytes(std::span(numbers)), vertex_data)},
+                                    {"componentType", short_type},
+                                    {"count", skin.vertices.size()},
+                                    {"type", "VEC4"}});
+    const int shares = add_accessor(weights, 4, vertex_data, false);
+    for (auto& primitive : root["meshes"][json["mesh"].get<std::size_t>()]["primitives"])
+        primitive["attributes"]["JOINTS_0"] = places, primitive["attributes"]["WEIGHTS_0"] = shares;
 }
 
 int GltfDocument::times_of(const Frames& keys) {
@@ -173,17 +200,7 @@ std::string GltfDocument::glb() {
         if (root[list].empty()) root.erase(list); // empty lists are not allowed
     if (root["animations"][0]["channels"].empty()) root.erase("animations");
     root["buffers"] = Json::array({{{"byteLength", binary_.size()}}});
-    auto text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string file;
-    file.reserve(28 + text.size() + binary_.size());
-    for (const std::uint32_t number :
-         {glb_magic, 2u, std::uint32_t(28 + text.size() + binary_.size()), std::uint32_t(text.size()), json_chunk})
-        put(file, number);
-    file += text;
-    put(file, std::uint32_t(binary_.size()));
-    put(file, binary_chunk);
-    return file + binary_;
+    return glb_bytes(root.dump(-1, ' ', false, Json::error_handler_t::replace), binary_);
 }
 
 } // namespace sinew::files

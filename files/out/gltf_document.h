@@ -20,6 +20,8 @@ struct TriangleMesh {
     std::vector<std::uint32_t> indices;
 };
 
+struct JointSkin;
+
 /// A glTF 2.0 document with one scene, one animation and one buffer, as a .glb file. Functions return the index of what
 /// they add.
 class GltfDocument {
@@ -54,6 +56,9 @@ class GltfDocument {
     /// Animates the weights of a node whose mesh has a target for each key but the first: one at a time. The weights
     /// take room as the keys, not as their square: they are zeros but for a list of ones.
     void animate_targets(int node, const Frames& keys);
+
+    /// Skins the mesh of a node at the root to joints, which are nodes at their first frame without a rotation.
+    void add_skin(int node, std::span<const int> joints, const JointSkin& skin);
 
     std::size_t bytes() const { return binary_.size(); }
     /// The finished file.
