@@ -154,7 +154,7 @@ test("modules that a scene or a file asks for are kept when they have been loade
         await page.waitForFunction(() => navigator.serviceWorker.controller !== null, null, { timeout: 30_000 });
         assert.deepEqual(await kept(), []);
         await page.evaluate(() => (location.hash = "#scene=rope&solver.precision=float", location.reload()));
-        const isFloat = () => window.sinew.stage?.player.simulation.precision === "float";
+        const isFloat = () => window.sinew?.stage?.player.simulation.precision === "float";
         await page.waitForFunction(isFloat, null, { timeout: 30_000 });
         assert.ok((await kept()).length >= 1);
     }));
