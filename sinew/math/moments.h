@@ -74,10 +74,10 @@ template <int D> struct CentralMoments {
 };
 
 /// Velocity at a place of a body that turns about the origin.
-inline Vec<2, double> turning(const Vec<1, double>& rate, const Vec<2, double>& arm) {
+template <class T> Vec<2, T> turning(const Vec<1, T>& rate, const Vec<2, T>& arm) {
     return perpendicular(arm) * rate[0];
 }
-inline Vec<3, double> turning(const Vec<3, double>& rate, const Vec<3, double>& arm) {
+template <class T> Vec<3, T> turning(const Vec<3, T>& rate, const Vec<3, T>& arm) {
     return cross(rate, arm);
 }
 

@@ -36,8 +36,8 @@ template <int D, class Real> class FeatureFinder {
         number_segments();
         if (room_.is_stale) room_.list.is_valid = false;
         room_.all_by_rows = std::ranges::find(room_.by_rows, char(0)) == room_.by_rows.end();
-        divide();
         room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
+        divide();
         find_buried();
         for (const Row slot : room_.cloth.slots) room_.is_exact[slot] = 0;
         const auto is_exact = [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); };
@@ -128,7 +128,7 @@ template <int D, class Real> class FeatureFinder {
     Real radius_at(std::uint32_t number) const { return room_.particles[number].radius; }
 
     /// Strips of equal numbers of particles, by the places at the start of the step. A figure with segments is in one
-    /// strip.
+    /// strip, and so is a rigid cluster.
     void divide() {
         using Parts = detail::ContactParts<D, Real>;
         auto& across = room_.parts.across;
@@ -142,6 +142,7 @@ template <int D, class Real> class FeatureFinder {
             across.push_back(
                 world_.particles.position[room_.particles[room_.particles[i].in_segment ? lead : i].row][0]);
         }
+        gather_clusters();
         auto& sorted = room_.parts.sorted;
         std::array<Real, Parts::strips> ends;
         const std::uint32_t strips = count < Parts::worth_it ? 1 : Parts::strips;
@@ -161,6 +162,17 @@ template <int D, class Real> class FeatureFinder {
         }
         if (!is_same) room_.list.is_valid = false;
         share_out_walls();
+    }
+    void gather_clusters() {
+        const auto cluster_of = room_.projector.cluster_of();
+        auto& first_of = room_.parts.first_of_cluster;
+        first_of.assign(room_.projector.links().clusters.clusters.size(), none);
+        for (std::uint32_t i = 0; i < room_.particles.size(); ++i) {
+            const auto cluster = cluster_of[room_.particles[i].slot];
+            if (cluster == none) continue;
+            if (first_of[cluster] == none) first_of[cluster] = i;
+            room_.parts.across[i] = room_.parts.across[first_of[cluster]];
+        }
     }
     void share_out_walls() {
         for (auto& part : room_.parts.list) part.particles.clear(), part.segments.clear();

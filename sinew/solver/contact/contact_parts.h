@@ -18,8 +18,8 @@ template <int D, class Real> class ContactParts {
     static constexpr std::uint32_t count = contact_parts, strips = count / 2;
     static constexpr std::size_t worth_it = 512; ///< particles from which there is more than one strip
     std::array<ContactPart<D, Real>, count> list;
-    std::vector<Real> across, sorted;           ///< scratch: per particle, its place or its figure's
-    std::vector<std::uint32_t> first_of_figure; ///< scratch: particle per figure
+    std::vector<Real> across, sorted;                             ///< scratch: per particle, its place or its figure's
+    std::vector<std::uint32_t> first_of_figure, first_of_cluster; ///< scratch: particle per figure, per cluster
 
     /// Part of a row on particles of the lowest and highest of these strips.
     static std::uint32_t part_of(std::uint32_t low, std::uint32_t high) {

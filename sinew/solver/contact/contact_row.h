@@ -25,7 +25,8 @@ template <int D, class Real> struct ContactRow {
     Real max = 0;        ///< largest multiplier in this substep
     Real arm = 0;        ///< at which friction turns balls, as a share of their radii; 0: it turns nothing
     std::uint8_t members = 0;
-    bool keeps = true;       ///< the multiplier outlasts the substep
+    bool keeps = true; ///< the multiplier outlasts the substep
+    bool acts_on_clusters = false;
     bool is_central = false; ///< the normal is the line of centres, and turns with it
     signed char side = 0;    ///< 2D: of the segment on which the particle is, 1: left of a-b
 };

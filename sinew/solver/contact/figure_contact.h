@@ -50,8 +50,10 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         PinRows<D, Real>(world_, solver_, h_, from_, to_).solve();
         room().joints.solve(state_, Soft::contact());
-        each_part([&](Part& part) { rows_.solve(part, Soft::contact(), Soft::hard()); });
-        room().projector.project_velocities(state_, threads_);
+        room().projector.begin_rows(state_, threads_);
+        const auto rows = rows_on_clusters();
+        each_part([&](Part& part) { rows.solve(part, Soft::contact(), Soft::hard()); });
+        room().projector.end_rows(state_, threads_);
         deep_.hold();
         room().projector.project_lengths(state_, threads_);
         if constexpr (D == 3) deep_.hold_again();
@@ -68,13 +70,15 @@ template <int D, class Real> class FigureContact {
         room().projector.restore_energy(state_, threads_);
         each_part([&](Part& part) { rows_.follow_centres(part); });
         room().joints.solve(state_, Soft::none());
-        Rebounds<D, Real> rebounds(room(), state_, rows_, h_);
+        room().projector.begin_rows(state_, threads_);
+        const auto rows = rows_on_clusters();
+        Rebounds<D, Real> rebounds(room(), state_, rows, h_);
         each_part([&](Part& part) {
             for (std::size_t i = 0; i < part.rows.size(); ++i)
                 if (!rebounds.awaits_blow(part.rows[i], part.origins[i]))
-                    rows_.solve(part.rows[i], Soft::none(), part.origins[i].surface_displacement);
+                    rows.solve(part.rows[i], Soft::none(), part.origins[i].surface_displacement);
         });
-        room().projector.project_velocities(state_, threads_);
+        room().projector.end_rows(state_, threads_);
         rebounds.forget_blows();
         keep();
     }
@@ -92,6 +96,7 @@ template <int D, class Real> class FigureContact {
 
     auto& room() { return *solver_.contacts; }
 
+    RowSolver<D, Real> rows_on_clusters() { return {state_, max_displacement(h_), room().projector.motions()}; }
     template <class Work> void each_part(const Work& work) { room().parts.run(threads_, work); }
 
     void list_candidates() {

@@ -86,6 +86,11 @@ template <int D, class Real> class LinkPacks {
         return std::span(links.slots).subspan(component.first_slot, component.last_slot - component.first_slot);
     }
 
+    static char motion_of(const Links& links, Row slot) {
+        if (links.component_of[slot] == Links::none) return 0;
+        return links.clusters.cluster_of(slot) == Links::none ? LinkPack<D>::moves_alone
+                                                              : LinkPack<D>::moves_with_cluster;
+    }
     void find_rows(const Links& links, std::uint32_t index) {
         const auto& component = links.components[index];
         std::uint32_t number = 0, entries = 0;
@@ -155,7 +160,7 @@ template <int D, class Real> class LinkPacks {
         LinkPack<D> pack{.links = component.last_link - component.first_link,
                          .clusters = component.last_cluster - component.first_cluster,
                          .particles = component.last_slot - component.first_slot};
-        for (const Row slot : slots_of(links, component)) moves_.push_back(links.component_of[slot] != Links::none);
+        for (const Row slot : slots_of(links, component)) moves_.push_back(motion_of(links, slot));
         for (auto k = component.first_link; k < component.last_link; ++k) {
             pack.entries += k - links.list[k].first;
             pack.has_ropes = pack.has_ropes || links.list[k].is_rope;
@@ -204,6 +209,7 @@ template <int D, class Real> class LinkPacks {
                     slots_[parts_[number].slots + k * pack.stride + at] = slots[k];
             };
             put(std::size_t(lane));
+            list[number].first_cluster[std::size_t(lane)] = links.components[i].first_cluster;
             if (lane == 0)
                 for (std::size_t at = pack.count; at < pack.stride; ++at) put(at);
         }

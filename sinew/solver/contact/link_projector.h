@@ -2,6 +2,7 @@
 
 #include "sinew/solver/contact/cluster_tensions.h"
 #include "sinew/solver/contact/link_response.h"
+#include "sinew/solver/contact/row_nodes.h"
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/solver/workers.h"
 
@@ -27,6 +28,7 @@ template <int D, class Real> class LinkProjector {
         } else {
             packs_.set_active(links_);
         }
+        list_clusters();
         kernels_ = &kernels<D, Real>(solver.options.simd).links;
         is_current_ = false;
         is_marked_.assign(links_.components.size(), 0);
@@ -41,10 +43,18 @@ template <int D, class Real> class LinkProjector {
             pack.of_link(k, LinkFields<D>::tension)[lane] = 0;
         });
         packs_.note_held(is_last);
+        notes_pushes_ = is_last;
         if (is_last) inner_.forget(links_, packs_);
         if (!is_current_ || mobilities_change) run(kernels_->factorise, state, threads);
     }
     void project_velocities(SweepState<D, Real>& state, int threads) { run(kernels_->velocities, state, threads); }
+    /// Clusters show their motions, for rows that act on these.
+    void begin_rows(SweepState<D, Real>& state, int threads) { run(kernels_->begin_rows, state, threads); }
+    /// `project_velocities` after such rows.
+    void end_rows(SweepState<D, Real>& state, int threads) { run(kernels_->end_rows, state, threads); }
+    ClusterMotions<D, Real> motions() { return {motions_.data(), cluster_of_.data(), notes_pushes_}; }
+    bool is_in_cluster(Row slot) const { return cluster_of_[slot] != links_.none; }
+    std::span<const std::uint32_t> cluster_of() const { return cluster_of_; }
     /// Right lengths at the end of the displacements.
     void project_lengths(SweepState<D, Real>& state, int threads) { run(kernels_->lengths, state, threads); }
     /// After the particles have moved: velocities that keep the lengths there, with no more energy than before the
@@ -95,12 +105,22 @@ template <int D, class Real> class LinkProjector {
     LinkPacks<D, Real> packs_;
     ClusterTensions<D, Real> inner_;
     const LinkKernels<D, Real>* kernels_ = nullptr;
-    std::vector<char> is_marked_; ///< per component
-    std::vector<Row> marked_;     ///< a particle of each marked component
-    bool is_current_ = false;     ///< factorised at the present places
+    std::vector<ClusterMotion<D, Real>> motions_;
+    std::vector<std::uint32_t> cluster_of_; ///< per slot; `none` outside of clusters, and in those left to the sweep
+    bool notes_pushes_ = false;             ///< on members of clusters
+    std::vector<char> is_marked_;           ///< per component
+    std::vector<Row> marked_;               ///< a particle of each marked component
+    bool is_current_ = false;               ///< factorised at the present places
 
-    static LinkColumns<D, Real> columns(const SweepState<D, Real>& state) {
-        return {state.position[0], state.displacement[0], state.stride(), state.mobility};
+    void list_clusters() {
+        motions_.resize(links_.clusters.clusters.size());
+        cluster_of_.resize(links_.component_of.size());
+        for (Row slot = 0; slot < cluster_of_.size(); ++slot)
+            cluster_of_[slot] =
+                links_.component_of[slot] == links_.none ? links_.none : links_.clusters.cluster_of(slot);
+    }
+    LinkColumns<D, Real> columns(const SweepState<D, Real>& state) {
+        return {state.position[0], state.displacement[0], state.stride(), state.mobility, motions_.data()};
     }
     /// The component of a particle.
     void run_at(Row slot, typename LinkKernels<D, Real>::Project project, const SweepState<D, Real>& state) {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "sinew/math/limit.h"
-#include "sinew/solver/contact/contact_row.h"
+#include "sinew/solver/contact/row_nodes.h"
 #include "sinew/solver/contact/softness.h"
-#include "sinew/solver/sweep_state.h"
 
 namespace sinew::detail {
 
@@ -13,17 +12,12 @@ template <int D, class Real> class RowSolver {
     using Vector = Vec<D, Real>;
     using RowT = ContactRow<D, Real>;
 
-    /// `furthest`: bound on the components of a displacement.
-    RowSolver(SweepState<D, Real>& state, Real furthest) : state_(state), furthest_(furthest) {}
+    /// `furthest`: bound on the components of a displacement. `motions`: of the clusters, for
+    /// `solve`; without, `change` looks at particles.
+    RowSolver(SweepState<D, Real>& state, Real furthest, const ClusterMotions<D, Real>& motions = {})
+        : state_(state), furthest_(furthest), motions_(motions) {}
 
-    void apply(const RowT& row, const Vector& impulse) const {
-        for (std::size_t i = 0; i < row.slot.size(); ++i) {
-            const Real mobility = state_.mobility[row.slot[i]];
-            if (mobility == Real(0)) continue; // another part may read an immovable particle
-            const auto moved = state_.displacement_at(row.slot[i]) + impulse * (row.weight[i] * mobility);
-            state_.set_displacement(row.slot[i], clamp_components(moved, furthest_));
-        }
-    }
+    void apply(const RowT& row, const Vector& impulse) const { particles(row).push(impulse); }
     /// Gives the multiplier of friction once more, and turns what it rubs.
     void apply_again(const RowT& row) const {
         apply(row, row.normal * row.multiplier + row.tangent);
@@ -57,9 +51,8 @@ template <int D, class Real> class RowSolver {
         return row.weight[i] == Real(1) || row.weight[i] == Real(-1);
     }
     Vector relative_displacement(const RowT& row) const {
-        auto sum = state_.displacement_at(row.slot[0]) * row.weight[0];
-        for (std::size_t i = 1; i < row.slot.size(); ++i) sum += state_.displacement_at(row.slot[i]) * row.weight[i];
-        return sum;
+        if (row.acts_on_clusters && motions_.list) return clusters(row).displacement();
+        return particles(row).displacement();
     }
     /// Change of the gap in the substep; `surface`: displacement of a wall.
     Real change(const RowT& row, const Vector& surface = {}) const {
@@ -67,19 +60,10 @@ template <int D, class Real> class RowSolver {
     }
 
     void solve(RowT& row, const Softness<Real>& soft, const Vector& surface = {}) const {
-        const auto moved = relative_displacement(row) - surface;
-        const Real along = dot(row.normal, moved);
-        const Real next =
-            min(one_sided_multiplier(row.multiplier, row.mass, along, row.gap, soft), limit::multiplier<Real>);
-        auto tangent = row.tangent - slip_of(row, moved) * mass_with_turns(row, row.mass);
-        const Real square_size = dot(tangent, tangent), max_friction = row.friction * next;
-        if (square_size > square(max_friction)) tangent *= max_friction * inverse_or_zero(square_root(square_size));
-        row.max = max(row.max, next);
-        if (next == row.multiplier && tangent == row.tangent) return;
-        apply(row, row.normal * (next - row.multiplier) + (tangent - row.tangent));
-        turn(row, tangent - row.tangent);
-        row.multiplier = next;
-        row.tangent = tangent;
+        if (row.acts_on_clusters)
+            solve(row, clusters(row), soft, surface);
+        else
+            solve(row, particles(row), soft, surface);
     }
     /// From the other side to the side of the normal.
     Vector centre_line(const RowT& row) const {
@@ -126,6 +110,28 @@ template <int D, class Real> class RowSolver {
   private:
     SweepState<D, Real>& state_;
     Real furthest_;
+    ClusterMotions<D, Real> motions_;
+
+    ParticleNodes<D, Real> particles(const RowT& row) const { return {state_, row, furthest_}; }
+    ClusterNodes<D, Real> clusters(const RowT& row) const { return {state_, motions_, row, furthest_}; }
+
+    template <class Nodes>
+    void solve(RowT& row, const Nodes& nodes, const Softness<Real>& soft, const Vector& surface) const {
+        const auto moved = nodes.displacement() - surface;
+        const Real along = dot(row.normal, moved);
+        const Real next = min(one_sided_multiplier(row.multiplier, nodes.mass_along(row.normal), along, row.gap, soft),
+                              limit::multiplier<Real>);
+        const auto slip = slip_of(row, moved);
+        auto tangent = row.tangent - slip * mass_with_turns(row, nodes.mass_along(direction(slip)));
+        const Real square_size = dot(tangent, tangent), max_friction = row.friction * next;
+        if (square_size > square(max_friction)) tangent *= max_friction * inverse_or_zero(square_root(square_size));
+        row.max = max(row.max, next);
+        if (next == row.multiplier && tangent == row.tangent) return;
+        nodes.push(row.normal * (next - row.multiplier) + (tangent - row.tangent));
+        turn(row, tangent - row.tangent);
+        row.multiplier = next;
+        row.tangent = tangent;
+    }
 
     template <class Visit> void each_ball(const RowT& row, const Visit& visit) const {
         for (std::size_t i = 0; i < std::size_t(row.members); ++i)

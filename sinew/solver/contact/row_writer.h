@@ -55,7 +55,11 @@ template <int D, class Real> class RowWriter {
     }
     bool admit(ContactRowT& row, Origin& origin, Real response, Real approach, Real slack) {
         if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
-        for (int i = 0; i < row.members; ++i) row.keeps = row.keeps && room_.is_exact[row.slot[std::size_t(i)]];
+        for (int i = 0; i < row.members; ++i) {
+            const auto slot = row.slot[std::size_t(i)];
+            row.keeps = row.keeps && room_.is_exact[slot];
+            row.acts_on_clusters = row.acts_on_clusters || room_.projector.is_in_cluster(slot);
+        }
         for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
         row.arm = arm_of(row, origin);
         row.is_central = row.keeps && row.members > 1 && rows_.is_central(row);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "sinew/math/moments.h"
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -26,6 +29,28 @@ struct LinkRow {
 struct LinkCluster {
     std::uint32_t first = 0, last = 0;
     friend constexpr bool operator==(const LinkCluster&, const LinkCluster&) = default;
+};
+
+/// Motion of a rigid cluster while rows of contact act on it.
+template <int D, class Real> struct ClusterMotion {
+    using Vector = Vec<D, Real>;
+    using Spin = Vec<spins<D>, Real>;
+    static constexpr std::size_t inertias = spins<D> * (spins<D> + 1) / 2;
+    Vector centre{};                          ///< of mass, at the present places
+    Vector move{};                            ///< displacement of the centre
+    Spin turn{};                              ///< radians
+    Real per_mass = 0;                        ///< 1 / kg
+    std::array<Real, inertias> per_inertia{}; ///< upper triangle, in rows; 1 / (kg m^2)
+
+    Spin turned_by(const Spin& moment) const {
+        const auto& m = per_inertia;
+        if constexpr (D == 2)
+            return moment * m[0];
+        else
+            return {{m[0] * moment[0] + m[1] * moment[1] + m[2] * moment[2],
+                     m[1] * moment[0] + m[3] * moment[1] + m[4] * moment[2],
+                     m[2] * moment[0] + m[4] * moment[1] + m[5] * moment[2]}};
+    }
 };
 
 /// Fields of the records of a pack.
@@ -68,17 +93,19 @@ template <int D> struct LinkFields {
 /// Components of equal structure. A field has `stride` numbers, one for each lane: records of the particles, of the
 /// links, of the clusters, entries of the factor, energy.
 template <int D> struct LinkPack {
+    static constexpr char moves_alone = 1, moves_with_cluster = 2;
     const LinkRow* rows = nullptr;
     const LinkCluster* cluster = nullptr;
     const std::uint32_t* members = nullptr; ///< particles of the clusters
     std::uint32_t links = 0, clusters = 0, particles = 0, entries = 0;
-    std::uint32_t count = 0; ///< components
-    std::size_t stride = 1;  ///< 1 or max_link_lanes
+    std::uint32_t count = 0;                                   ///< components
+    std::array<std::uint32_t, max_link_lanes> first_cluster{}; ///< of the component in each lane, among all
+    std::size_t stride = 1;                                    ///< 1 or max_link_lanes
     bool has_ropes = false;
     bool notes_held = false; ///< LinkFields::held is of interest
     const std::uint32_t* slots =
         nullptr;                 ///< of the sweep, `stride` for each particle; unused lanes have those of the first
-    const char* moves = nullptr; ///< per particle
+    const char* moves = nullptr; ///< per particle: 0, or `moves_alone`, or `moves_with_cluster`
     double* numbers = nullptr;
 
     double* of_particle(std::size_t i, std::size_t field) const {
@@ -106,6 +133,7 @@ template <int D, class Real> struct LinkColumns {
     Real* displacement;
     std::size_t stride; ///< numbers between the columns of two components
     const Real* mobility;
+    ClusterMotion<D, Real>* motions; ///< of all clusters
 };
 
 /// Kernels of rigid links. `lane`: the only component that takes part, or -1 for all.
@@ -113,6 +141,8 @@ template <int D, class Real> struct LinkKernels {
     using Project = void (*)(const LinkColumns<D, Real>&, const LinkPack<D>&, int lane);
     Project factorise;  ///< at the present places
     Project velocities; ///< no link is about to change its length, to first order
+    Project begin_rows; ///< shows the motions of clusters, for rows that act on them
+    Project end_rows;   ///< `velocities`, with these motions as rows have changed them
     Project lengths;    ///< right lengths at the end of the displacements
     Project again;      ///< `lengths` once more: the energy due stays as it was
     Project restore;    ///< after the particles have moved: velocities, with no more energy than before `lengths`

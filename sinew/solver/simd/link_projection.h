@@ -1,29 +1,29 @@
 #pragma once
 
-#include "sinew/solver/simd/kernel.h"
-#include "sinew/solver/simd/link_solution.h"
+#include "sinew/solver/simd/link_exchange.h"
 
 /// Kernels of rigid links (contact/link_projector.h).
 namespace sinew {
 namespace {
 
 /// Projections of the components in the lanes of V. A component that is not in the mask of a function stays as it is.
-template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> {
+template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Real, V> {
+    using Exchange = LinkExchange<D, Real, V>;
     using Solution = LinkSolution<D, V>;
     using Fields = LinkFields<D>;
     using Clusters = typename Solution::Clusters;
+    using Exchange::columns_, Exchange::gather, Exchange::load, Exchange::store;
     using Solution::activate, Solution::apply, Solution::apply_within, Solution::release;
     using Solution::between, Solution::blend, Solution::displacement, Solution::each_link, Solution::norm;
     using Solution::energy_in, Solution::frame, Solution::slight, Solution::slow_down, Solution::width;
     using Solution::number, Solution::inverse_or_zero, Solution::link, Solution::set_link, Solution::particle;
-    using Solution::pack_, Solution::lane_, Solution::set_particle;
+    using Solution::pack_, Solution::set_particle;
     using Solution::particle_vector, Solution::set_particle_vector, Solution::link_vector, Solution::set_link_vector;
     using typename Solution::Mask, typename Solution::Vector;
 
   public:
     LinkProjection(const LinkColumns<D, Real>& columns, const LinkPack<D>& pack, std::size_t first_lane, int only)
-        : Solution(pack, first_lane), columns_(columns), first_(only < 0 ? 0 : std::size_t(only) - first_lane),
-          last_(only < 0 ? std::min(width, pack.count - first_lane) : first_ + 1), live_(lanes_in_use()) {}
+        : Exchange(columns, pack, first_lane, only), live_(Exchange::lanes_in_use()) {}
 
     void factorise() {
         for (std::uint32_t i = 0; i < pack_.particles; ++i) {
@@ -39,6 +39,20 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     void velocities() {
         load();
         project_velocities(live_);
+        store();
+    }
+    void begin_rows() {
+        if (pack_.clusters == 0) return;
+        load();
+        Clusters::make_rigid(live_);
+        if (pack_.notes_held) store(); // rows push members, too
+        Exchange::show_motions();
+    }
+    void end_rows() {
+        if (pack_.clusters == 0) return velocities();
+        Exchange::take_motions();
+        load(pack_.notes_held ? char(-1) : LinkPack<D>::moves_with_cluster);
+        hold_links_of_clusters(live_);
         store();
     }
     void lengths() {
@@ -71,79 +85,7 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
     /// velocities left along them are that share of those across.
     static constexpr double slightly_turned = 1e-3;
 
-    const LinkColumns<D, Real>& columns_;
-    std::size_t first_, last_; ///< lanes in use
     Mask live_;
-
-    Mask lanes_in_use() const {
-        V flags{};
-        for (std::size_t i = first_; i < last_; ++i) lane::put_lane(flags, int(i), 1.0);
-        return flags > V{};
-    }
-    // --- particles ---------------------------------------------------------------------------------------------------
-
-    V gather(const Real* column, std::size_t i) const {
-        const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
-        if constexpr (width > 1)
-            if (are_adjacent(slots))
-                return __builtin_convertvector((lane::load<lane::Pack<Real, int(width)>>(column + slots[0])), V);
-        if constexpr (width == 1)
-            return double(column[slots[0]]);
-        else if constexpr (width == 2)
-            return V{double(column[slots[0]]), double(column[slots[1]])};
-        else
-            return __builtin_convertvector((lane::gather<lane::Pack<Real, int(width)>, Real>(column, slots)), V);
-    }
-    [[gnu::flatten, gnu::noinline]] void load() const {
-        const LinkProjection here = *this;
-        here.load_here();
-    }
-    [[gnu::always_inline]] void load_here() const {
-        for (std::size_t i = 0; i < pack_.particles; ++i) {
-            const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
-            if constexpr (width > 1)
-                if (are_adjacent(slots)) {
-                    for (std::size_t k = 0; k < D; ++k)
-                        set_particle(
-                            i, Fields::displacement + k,
-                            __builtin_convertvector((lane::load<lane::Pack<Real, int(width)>>(
-                                                        columns_.displacement + k * columns_.stride + slots[0])),
-                                                    V));
-                    continue;
-                }
-            for (std::size_t k = 0; k < D; ++k)
-                set_particle(i, Fields::displacement + k, gather(columns_.displacement + k * columns_.stride, i));
-        }
-    }
-    /// True if the lanes lie side by side in the columns, as those of copies do.
-    [[gnu::always_inline]] static bool are_adjacent(const std::uint32_t* slots) {
-        std::uint32_t off = 0;
-        for (std::size_t l = 1; l < width; ++l) off |= slots[l] ^ (slots[0] + std::uint32_t(l));
-        return off == 0;
-    }
-    [[gnu::flatten, gnu::noinline]] void store() const {
-        const LinkProjection here = *this;
-        here.store_here();
-    }
-    [[gnu::always_inline]] void store_here() const {
-        for (std::size_t i = 0; i < pack_.particles; ++i) {
-            if (!pack_.moves[i]) continue; // another pack may read an immovable particle
-            const std::uint32_t* const slots = pack_.slots + i * pack_.stride + lane_;
-            if constexpr (width > 1)
-                if (first_ == 0 && last_ == width && are_adjacent(slots)) {
-                    for (std::size_t k = 0; k < D; ++k)
-                        lane::store(columns_.displacement + k * columns_.stride + slots[0],
-                                    __builtin_convertvector(particle(i, Fields::displacement + k),
-                                                            lane::Pack<Real, int(width)>));
-                    continue;
-                }
-            for (std::size_t k = 0; k < D; ++k) {
-                const V numbers = particle(i, Fields::displacement + k);
-                for (auto l = first_; l < last_; ++l)
-                    columns_.displacement[k * columns_.stride + slots[l]] = Real(lane::lane_of(numbers, int(l)));
-            }
-        }
-    }
 
     // --- directions --------------------------------------------------------------------------------------------------
 
@@ -224,6 +166,10 @@ template <int D, class Real, class V> class LinkProjection : LinkSolution<D, V> 
         Clusters::make_rigid(live);
         if (pack_.links == 0) return;
         hold_links(live);
+        Clusters::spread(live, Fields::move, Fields::turn);
+    }
+    void hold_links_of_clusters(const Mask& live) const {
+        if (pack_.links > 0) hold_links(live);
         Clusters::spread(live, Fields::move, Fields::turn);
     }
     [[gnu::flatten, gnu::noinline]] void hold_links(Mask live) const {
@@ -326,6 +272,12 @@ template <int D, class Real> constexpr LinkKernels<D, Real> link_kernels() {
             [](const Columns& columns, const LinkPack<D>& pack, int only) {
                 each_lane(columns, pack, only, [](auto& projection) { projection.velocities(); });
             },
+        .begin_rows =
+            [](const Columns& columns, const LinkPack<D>& pack, int only) {
+                each_lane(columns, pack, only, [](auto& projection) { projection.begin_rows(); });
+            },
+        .end_rows = [](const Columns& columns, const LinkPack<D>& pack,
+                       int only) { each_lane(columns, pack, only, [](auto& projection) { projection.end_rows(); }); },
         .lengths = [](const Columns& columns, const LinkPack<D>& pack,
                       int only) { each_lane(columns, pack, only, [](auto& projection) { projection.lengths(); }); },
         .again = [](const Columns& columns, const LinkPack<D>& pack,
