@@ -61,6 +61,7 @@ template <int D, class Real> class FeatureFinder {
     void find_buried() {
         const auto& links = room_.projector.links();
         room_.is_buried.assign(links.components.size(), 0);
+        room_.settling.resize(links.components.size());
         room_.supports.reserve(links.components.size() + links.component_of.size());
         room_.held_up.reserve(4 * room_.particles.size());
         for (const auto& link : links.list)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/matrix.h"
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/world/contacts.h"
 
@@ -27,6 +28,7 @@ template <int D, class Real> struct ContactRow {
     std::uint8_t members = 0;
     bool keeps = true; ///< the multiplier outlasts the substep
     bool acts_on_clusters = false;
+    bool is_held = false;    ///< solved as the whole figures answer
     bool is_central = false; ///< the normal is the line of centres, and turns with it
     signed char side = 0;    ///< 2D: of the segment on which the particle is, 1: left of a-b
 };
@@ -46,6 +48,19 @@ template <int D, class Real> struct ContactOrigin {
 
     /// Arm of friction on two balls whose centres are so far apart.
     Real arm_at(Real distance) const { return max(share_of_deep * distance / deep, Real(0.1)); }
+};
+
+/// Row solved as whole figures answer.
+template <int D, class Real> struct HeldRow {
+    std::uint32_t row = 0;
+    std::uint32_t component = 0; ///< of rigid links, of the light particle
+    Matrix<D, Real> response{};  ///< displacement of the contact for an impulse, 1 / kg
+};
+
+/// Impulses of the held rows of a component in a round.
+template <class Real> struct HeldSettling {
+    Real largest = 0, changed = 0; ///< h newton seconds
+    bool settled = false;
 };
 
 /// Row of a blow. Displacements are those along the normal in a substep.
@@ -103,6 +118,7 @@ template <int D, class Real> struct ContactPart {
     std::vector<ContactOrigin<D, Real>> origins;    ///< of the rows
     std::vector<NearSegment<D, Real>> near;         ///< scratch: candidates that may touch in this substep
     std::vector<std::uint32_t> deep;                ///< rows that may have to be held as the figures answer
+    std::vector<HeldRow<D, Real>> held;             ///< rows solved as the figures answer
     std::size_t first_wall = 0;                     ///< index of the first row of a wall
     std::vector<ContactKey> wall_keys;
     std::vector<ContactRow<D, Real>> sensed;            ///< links near sensors, which do not act

@@ -42,6 +42,8 @@ template <int D, class Real> class FigureContact {
         });
         room().joints.begin(world_, state_, scale);
         room().projector.project_velocities(state_, threads_);
+        for (auto& part : room().parts.list)
+            for (auto& one : part.held) one.response = held_.response_of(part.rows[one.row]);
         Rebounds<D, Real>(room(), state_, rows_, h_).run();
     }
 
@@ -50,15 +52,13 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         PinRows<D, Real>(world_, solver_, h_, from_, to_).solve();
         room().joints.solve(state_, Soft::contact());
-        room().projector.begin_rows(state_, threads_);
-        const auto rows = rows_on_clusters();
-        each_part([&](Part& part) { rows.solve(part, Soft::contact(), Soft::hard()); });
-        room().projector.end_rows(state_, threads_);
+        solve_rows(Soft::contact(), Soft::hard(), [](const auto&, const RowT&, const Origin&) { return true; });
         deep_.hold();
         room().projector.project_lengths(state_, threads_);
         if constexpr (D == 3) deep_.hold_again();
         each_part([&](Part& part) {
-            rows_.each(part, [&](RowT& row, const Vector& surface) { row.gap += rows_.change(row, surface); });
+            rows_.each(part,
+                       [&](RowT& row, const Origin&, const Vector& surface) { row.gap += rows_.change(row, surface); });
         });
         room().joints.advance(state_);
         note_sensed();
@@ -70,16 +70,10 @@ template <int D, class Real> class FigureContact {
         room().projector.restore_energy(state_, threads_);
         each_part([&](Part& part) { rows_.follow_centres(part); });
         room().joints.solve(state_, Soft::none());
-        room().projector.begin_rows(state_, threads_);
-        const auto rows = rows_on_clusters();
-        Rebounds<D, Real> rebounds(room(), state_, rows, h_);
-        each_part([&](Part& part) {
-            for (std::size_t i = 0; i < part.rows.size(); ++i)
-                if (!rebounds.awaits_blow(part.rows[i], part.origins[i]))
-                    rows.solve(part.rows[i], Soft::none(), part.origins[i].surface_displacement);
+        solve_rows(Soft::none(), Soft::none(), [&](const auto& rows, const RowT& row, const Origin& origin) {
+            return !Rebounds<D, Real>(room(), state_, rows, h_).awaits_blow(row, origin);
         });
-        room().projector.end_rows(state_, threads_);
-        rebounds.forget_blows();
+        Rebounds<D, Real>(room(), state_, rows_, h_).forget_blows();
         keep();
     }
 
@@ -90,12 +84,61 @@ template <int D, class Real> class FigureContact {
     bool is_active_;
     Real h_, from_, to_, left_; ///< substep; shares of the step at its ends; rest of the step
     RowSolver<D, Real> rows_{state_, max_displacement(h_)};
+    HeldRows<D, Real> held_{solver_.contacts.get(), state_, rows_};
     DeepRows<D, Real> deep_{solver_, rows_, h_};
     bool is_first_, is_last_, drag_changes_;
     int threads_;
 
     auto& room() { return *solver_.contacts; }
 
+    /// A pass over all rows for which acts(solver, row, origin), `kept` with softness of their own; then the links are
+    /// held.
+    template <class Acts> void solve_rows(const Soft& kept, const Soft& others, const Acts& acts) {
+        room().projector.begin_rows(state_, threads_);
+        const auto rows = rows_on_clusters();
+        each_part([&](Part& part) {
+            rows.each(part, [&](RowT& row, const Origin& origin, const Vector& surface) {
+                if (!row.is_held && acts(rows, row, origin)) rows.solve(row, row.keeps ? kept : others, surface);
+            });
+        });
+        room().projector.end_rows(state_, threads_);
+        solve_held(kept, acts);
+    }
+    /// Rows beside heavy loads, until the impulses on each figure agree: friction along a rope adds up from post to
+    /// post.
+    template <class Acts> void solve_held(const Soft& soft, const Acts& acts) {
+        constexpr int rounds = 32;
+        constexpr Real exact = Real(0.02); // of the largest impulse
+        each_held([&](const auto& one) { settling_of(one) = {.changed = 1}; });
+        for (int i = 0; i < rounds; ++i) {
+            each_held([&](const auto& one) {
+                auto& figure = settling_of(one);
+                figure.settled = figure.settled || !(figure.changed > exact * figure.largest);
+            });
+            each_held([&](const auto& one) { settling_of(one) = {.settled = settling_of(one).settled}; });
+            bool any = false;
+            for (auto& part : room().parts.list)
+                for (const auto& one : part.held)
+                    if (!settling_of(one).settled && acts(rows_, part.rows[one.row], part.origins[one.row]))
+                        solve_held(part, one, soft), any = true;
+            if (!any) break;
+        }
+    }
+    void solve_held(Part& part, const HeldRow<D, Real>& one, const Soft& soft) {
+        auto& row = part.rows[one.row];
+        const auto impulse = [&row] { return row.normal * row.multiplier + row.tangent; };
+        const auto before = impulse();
+        rows_.solve(row, HeldNodes<D, Real>(held_, rows_, row, one.response), soft,
+                    part.origins[one.row].surface_displacement);
+        auto& figure = settling_of(one);
+        figure.largest = max(figure.largest, row.multiplier);
+        figure.changed = max(figure.changed, norm(impulse() - before));
+    }
+    template <class Visit> void each_held(const Visit& visit) {
+        for (auto& part : room().parts.list)
+            for (const auto& one : part.held) visit(one);
+    }
+    HeldSettling<Real>& settling_of(const HeldRow<D, Real>& one) { return room().settling[one.component]; }
     RowSolver<D, Real> rows_on_clusters() { return {state_, max_displacement(h_), room().projector.motions()}; }
     template <class Work> void each_part(const Work& work) { room().parts.run(threads_, work); }
 

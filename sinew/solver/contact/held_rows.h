@@ -19,6 +19,18 @@ template <int D, class Real> class HeldRows {
         const auto pushes = pushes_of(row);
         return Real(inverse_or_zero(projector().response(state_).along(members_of(row), of_members(row, pushes))));
     }
+    /// Displacement of the contact for an impulse, a symmetric matrix; 1 / kg.
+    Matrix<D, Real> response_of(const RowT& row) const {
+        Matrix<D, Real> matrix;
+        std::array<double, D + 1> weights{};
+        for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = double(row.weight[i]);
+        for (int i = 0; i < D; ++i) {
+            const auto pushes = pushes_of(row, Vec<D, double>::axis(i));
+            matrix.column[std::size_t(i)] = cast<Real>(
+                projector().response(state_).displacement(members_of(row), of_members(row, pushes), weights));
+        }
+        return matrix;
+    }
     /// Moves the contact by a distance along the normal, as far as the figures can; returns the impulse.
     Real move(const RowT& row, Real distance) const {
         const auto pushes = pushes_of(row);
@@ -30,8 +42,9 @@ template <int D, class Real> class HeldRows {
         return Real(impulse);
     }
     /// Pushes along the normal, and then holds the links of each figure.
-    void push(const RowT& row, Real impulse) const {
-        rows_.apply(row, row.normal * impulse);
+    void push(const RowT& row, Real impulse) const { push(row, row.normal * impulse); }
+    void push(const RowT& row, const Vec<D, Real>& impulse) const {
+        rows_.apply(row, impulse);
         const auto slots = members_of(row);
         const auto& component_of = projector().links().component_of;
         for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -47,9 +60,10 @@ template <int D, class Real> class HeldRows {
     LinkProjector<D, Real>& projector() const { return room_->projector; }
 
     using Pushes = std::array<Vec<D, double>, D + 1>;
-    static Pushes pushes_of(const RowT& row) {
+    static Pushes pushes_of(const RowT& row) { return pushes_of(row, cast<double>(row.normal)); }
+    static Pushes pushes_of(const RowT& row, const Vec<D, double>& direction) {
         Pushes pushes{};
-        for (std::size_t i = 0; i < std::size_t(row.members); ++i) pushes[i] = cast<double>(row.normal * row.weight[i]);
+        for (std::size_t i = 0; i < std::size_t(row.members); ++i) pushes[i] = direction * double(row.weight[i]);
         return pushes;
     }
     static std::span<const Vec<D, double>> of_members(const RowT& row, const Pushes& pushes) {
@@ -58,6 +72,28 @@ template <int D, class Real> class HeldRows {
     ContactRoom<D, Real>* room_;
     SweepState<D, Real>& state_;
     const RowSolver<D, Real>& rows_;
+};
+
+/// Whole figures as what a row acts on (row_nodes.h).
+template <int D, class Real> class HeldNodes {
+  public:
+    using Vector = Vec<D, Real>;
+    using RowT = ContactRow<D, Real>;
+
+    /// `response`: of the contact.
+    HeldNodes(const HeldRows<D, Real>& held, const RowSolver<D, Real>& rows, const RowT& row,
+              const Matrix<D, Real>& response)
+        : held_(held), rows_(rows), row_(row), response_(response) {}
+
+    Vector displacement() const { return rows_.relative_displacement(row_); }
+    Real mass_along(const Vector& direction) const { return inverse_or_zero(dot(direction, response_ * direction)); }
+    void push(const Vector& impulse) const { held_.push(row_, impulse); }
+
+  private:
+    const HeldRows<D, Real>& held_;
+    const RowSolver<D, Real>& rows_;
+    const RowT& row_;
+    const Matrix<D, Real>& response_;
 };
 
 } // namespace sinew::detail

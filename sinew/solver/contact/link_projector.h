@@ -29,6 +29,7 @@ template <int D, class Real> class LinkProjector {
             packs_.set_active(links_);
         }
         list_clusters();
+        find_heaviest(world, solver.sweep_state);
         kernels_ = &kernels<D, Real>(solver.options.simd).links;
         is_current_ = false;
         is_marked_.assign(links_.components.size(), 0);
@@ -53,6 +54,11 @@ template <int D, class Real> class LinkProjector {
     /// `project_velocities` after such rows.
     void end_rows(SweepState<D, Real>& state, int threads) { run(kernels_->end_rows, state, threads); }
     ClusterMotions<D, Real> motions() { return {motions_.data(), cluster_of_.data(), notes_pushes_}; }
+    /// Largest mass in the component of a particle, kg; 0 without links.
+    Real heaviest(Row slot) const {
+        const auto component = links_.component_of[slot];
+        return component == links_.none ? Real(0) : heaviest_[component];
+    }
     bool is_in_cluster(Row slot) const { return cluster_of_[slot] != links_.none; }
     std::span<const std::uint32_t> cluster_of() const { return cluster_of_; }
     /// Right lengths at the end of the displacements.
@@ -107,6 +113,7 @@ template <int D, class Real> class LinkProjector {
     const LinkKernels<D, Real>* kernels_ = nullptr;
     std::vector<ClusterMotion<D, Real>> motions_;
     std::vector<std::uint32_t> cluster_of_; ///< per slot; `none` outside of clusters, and in those left to the sweep
+    std::vector<Real> heaviest_;            ///< mass per component, kg
     bool notes_pushes_ = false;             ///< on members of clusters
     std::vector<char> is_marked_;           ///< per component
     std::vector<Row> marked_;               ///< a particle of each marked component
@@ -118,6 +125,13 @@ template <int D, class Real> class LinkProjector {
         for (Row slot = 0; slot < cluster_of_.size(); ++slot)
             cluster_of_[slot] =
                 links_.component_of[slot] == links_.none ? links_.none : links_.clusters.cluster_of(slot);
+    }
+    void find_heaviest(const World<D, Real>& world, const SweepState<D, Real>& state) {
+        heaviest_.assign(links_.components.size(), 0);
+        for (Row slot = 0; slot < links_.component_of.size(); ++slot)
+            if (const auto component = links_.component_of[slot]; component != links_.none)
+                heaviest_[component] =
+                    max(heaviest_[component], inverse_or_zero(world.particles.mobility[state.row_of[slot]]));
     }
     LinkColumns<D, Real> columns(const SweepState<D, Real>& state) {
         return {state.position[0], state.displacement[0], state.stride(), state.mobility, motions_.data()};

@@ -39,6 +39,25 @@ template <int D, class Real> class LinkResponse {
         return max(sum, 0.0);
     }
 
+    /// Sum of the displacements of particles, each by its weight, for pushes on them.
+    Vector displacement(std::span<const Row> slots, std::span<const Vector> pushes,
+                        std::span<const double> weights) const {
+        Vector sum{};
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            if (links_.component_of[slots[i]] == none) {
+                sum += pushes[i] * (weights[i] * double(state_.mobility[slots[i]]));
+                continue;
+            }
+            if (!is_first_of_component(slots, i)) continue;
+            const auto lane = lane_of(links_.component_of[slots[i]]);
+            lane.respond(slots, pushes);
+            for (std::size_t k = i; k < slots.size(); ++k)
+                if (links_.component_of[slots[k]] == links_.component_of[slots[i]])
+                    sum += lane.displacement(lane.number_of(slots[k])) * weights[k];
+        }
+        return sum;
+    }
+
     /// Moves the particles by a multiple of the displacement for which `along` has last been asked.
     void move(SweepState<D, Real>& state, std::span<const Row> slots, std::span<const Vector> pushes,
               double impulse) const {

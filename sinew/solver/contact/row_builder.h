@@ -10,7 +10,7 @@ namespace sinew::detail {
 template <int D, class Real>
 void build_rows(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h, Real from,
                 Real to) {
-    part.rows.clear(), part.origins.clear(), part.wall_keys.clear(), part.deep.clear();
+    part.rows.clear(), part.origins.clear(), part.wall_keys.clear(), part.deep.clear(), part.held.clear();
     part.sensed.clear(), part.sensed_origins.clear();
     FigureRows<D, Real>(world, solver, part, h).add_all(kernels<D, Real>(solver.options.simd));
     part.first_wall = part.rows.size();

@@ -65,6 +65,24 @@ template <int D, class Real> class RowSolver {
         else
             solve(row, particles(row), soft, surface);
     }
+    /// As the nodes answer (row_nodes.h).
+    template <class Nodes>
+    void solve(RowT& row, const Nodes& nodes, const Softness<Real>& soft, const Vector& surface) const {
+        const auto moved = nodes.displacement() - surface;
+        const Real along = dot(row.normal, moved);
+        const Real next = min(one_sided_multiplier(row.multiplier, nodes.mass_along(row.normal), along, row.gap, soft),
+                              limit::multiplier<Real>);
+        const auto slip = slip_of(row, moved);
+        auto tangent = row.tangent - slip * mass_with_turns(row, nodes.mass_along(direction(slip)));
+        const Real square_size = dot(tangent, tangent), max_friction = row.friction * next;
+        if (square_size > square(max_friction)) tangent *= max_friction * inverse_or_zero(square_root(square_size));
+        row.max = max(row.max, next);
+        if (next == row.multiplier && tangent == row.tangent) return;
+        nodes.push(row.normal * (next - row.multiplier) + (tangent - row.tangent));
+        turn(row, tangent - row.tangent);
+        row.multiplier = next;
+        row.tangent = tangent;
+    }
     /// From the other side to the side of the normal.
     Vector centre_line(const RowT& row) const {
         Vector line{};
@@ -95,16 +113,12 @@ template <int D, class Real> class RowSolver {
             row.tangent -= normal * dot(normal, row.tangent);
         }
     }
-    /// All rows of a part.
-    void solve(ContactPart<D, Real>& part, const Softness<Real>& kept, const Softness<Real>& others) const {
-        each(part, [&](RowT& row, const Vector& surface) { solve(row, row.keeps ? kept : others, surface); });
-    }
-
-    /// Calls visit(row, displacement of its wall) for all rows of a part.
+    /// Calls visit(row, origin, displacement of its wall) for all rows of a part.
     template <class Visit> static void each(ContactPart<D, Real>& part, Visit&& visit) {
-        for (std::size_t i = 0; i < part.first_wall; ++i) visit(part.rows[i], Vector{});
-        for (auto i = part.first_wall; i < part.rows.size(); ++i)
-            visit(part.rows[i], part.origins[i].surface_displacement);
+        for (std::size_t i = 0; i < part.rows.size(); ++i) {
+            const auto& origin = part.origins[i];
+            visit(part.rows[i], origin, origin.surface_displacement);
+        }
     }
 
   private:
@@ -114,24 +128,6 @@ template <int D, class Real> class RowSolver {
 
     ParticleNodes<D, Real> particles(const RowT& row) const { return {state_, row, furthest_}; }
     ClusterNodes<D, Real> clusters(const RowT& row) const { return {state_, motions_, row, furthest_}; }
-
-    template <class Nodes>
-    void solve(RowT& row, const Nodes& nodes, const Softness<Real>& soft, const Vector& surface) const {
-        const auto moved = nodes.displacement() - surface;
-        const Real along = dot(row.normal, moved);
-        const Real next = min(one_sided_multiplier(row.multiplier, nodes.mass_along(row.normal), along, row.gap, soft),
-                              limit::multiplier<Real>);
-        const auto slip = slip_of(row, moved);
-        auto tangent = row.tangent - slip * mass_with_turns(row, nodes.mass_along(direction(slip)));
-        const Real square_size = dot(tangent, tangent), max_friction = row.friction * next;
-        if (square_size > square(max_friction)) tangent *= max_friction * inverse_or_zero(square_root(square_size));
-        row.max = max(row.max, next);
-        if (next == row.multiplier && tangent == row.tangent) return;
-        nodes.push(row.normal * (next - row.multiplier) + (tangent - row.tangent));
-        turn(row, tangent - row.tangent);
-        row.multiplier = next;
-        row.tangent = tangent;
-    }
 
     template <class Visit> void each_ball(const RowT& row, const Visit& visit) const {
         for (std::size_t i = 0; i < std::size_t(row.members); ++i)

@@ -20,6 +20,7 @@ template <int D, class Real> class RowWriter {
     Real h_;
     RowSolver<D, Real> rows_{state_, max_displacement(h_)};
     static constexpr Real share_of_deep = Origin::share_of_deep;
+    static constexpr std::size_t most_held = 256; ///< in a part: the cost of each grows with its figure
 
     RowWriter(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h)
         : world_(world), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)), part_(part),
@@ -28,6 +29,12 @@ template <int D, class Real> class RowWriter {
     Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
 
+    /// True for a particle of a figure with loads so much heavier that a row would have to act a hundred times before
+    /// these feel it: a rope that carries somebody over an edge.
+    bool is_light(Row slot) const {
+        constexpr Real much = 100;
+        return !room_.projector.is_in_cluster(slot) && room_.projector.heaviest(slot) * state_.mobility[slot] > much;
+    }
     /// Two balls are turned at arms that meet, however far apart they are when the blow is foreseen: what one receives
     /// of angular momentum the other gives.
     Real arm_of(const ContactRowT& row, const Origin& origin) const {
@@ -55,11 +62,14 @@ template <int D, class Real> class RowWriter {
     }
     bool admit(ContactRowT& row, Origin& origin, Real response, Real approach, Real slack) {
         if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
+        std::uint32_t component = 0;
         for (int i = 0; i < row.members; ++i) {
             const auto slot = row.slot[std::size_t(i)];
             row.keeps = row.keeps && room_.is_exact[slot];
             row.acts_on_clusters = row.acts_on_clusters || room_.projector.is_in_cluster(slot);
+            if (is_light(slot)) row.is_held = true, component = room_.projector.links().component_of[slot];
         }
+        row.is_held = row.is_held && row.keeps && part_.held.size() < most_held;
         for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
         row.arm = arm_of(row, origin);
         row.is_central = row.keeps && row.members > 1 && rows_.is_central(row);
@@ -68,6 +78,7 @@ template <int D, class Real> class RowWriter {
         row.tangent -= row.normal * dot(row.normal, row.tangent);
         part_.rows.push_back(row);
         part_.origins.push_back(origin);
+        if (row.is_held) part_.held.push_back({.row = std::uint32_t(part_.rows.size() - 1), .component = component});
         const Real ahead = D == 3 && row.members == 4 ? Real(2) * absolute(approach) : Real(0); // links that cross
         if (row.keeps && row.gap - ahead < Real(-0.5) * origin.deep)
             part_.deep.push_back(std::uint32_t(part_.rows.size() - 1));
