@@ -23,8 +23,7 @@ template <class Real> FigureIndex add_touching(FlatWorld<Real>& world, double fr
 /// A rigid square of four particles and six links; its outline is `size` wide, radii included.
 template <class Real>
 std::vector<ParticleId> add_crate(FlatWorld<Real>& world, double x, double y, double size, double mass, double turn = 0,
-                                  double friction = 0.5) {
-    constexpr double radius = 0.02;
+                                  double friction = 0.5, double radius = 0.02) {
     const auto figure = add_touching(world, friction);
     const double half = size / 2 - radius, c = std::cos(turn), s = std::sin(turn);
     std::vector<ParticleId> corners;

@@ -49,6 +49,45 @@ TYPED_TEST(Figures2, APyramidOfFifteenRowsRests) {
         EXPECT_LT(double(norm(world.particles.position[i] - before[i])), 0.05) << i;
 }
 
+// Crates that begin inside each other part, the shortest way, no faster than one that falls as far, and rest side by
+// side or on each other.
+TYPED_TEST(Figures2, CratesThatBeginInsideEachOtherPart) {
+    for (const double x : {0.46, 0.3, 0.1, 0.0})
+        for (const double y : {0.25, 0.3, 0.45}) {
+            FlatWorld<TypeParam> world;
+            add_ground(world);
+            const auto one = add_crate(world, 0, 0.25, 0.5, 1), other = add_crate(world, x, y, 0.5, 1);
+            double fastest = 0;
+            for (int i = 0; i < 300; ++i) {
+                step(world, TypeParam(1.0 / 60));
+                fastest = std::max(fastest, double(max_speed(world)));
+            }
+            const double apart = double(norm(middle_of(world, one) - middle_of(world, other)));
+            EXPECT_GT(apart, 0.49) << x << ", " << y;
+            EXPECT_LT(apart, 0.75) << x << ", " << y;
+            EXPECT_LT(fastest, 4.5) << x << ", " << y; // sqrt(2 10 1): twice their height
+            EXPECT_LT(mean_speed(world), 1e-3) << x << ", " << y;
+        }
+}
+
+// Five crates stand from a centimetre to a hundred metres, one substep as good as another.
+TYPED_TEST(Figures2, AStackStandsAtAnySize) {
+    for (const double size : {0.01, 1.0, 100.0}) {
+        FlatWorld<TypeParam> world;
+        add_ground(world);
+        std::vector<std::vector<ParticleId>> crates;
+        for (int i = 0; i < 5; ++i)
+            crates.push_back(add_crate(world, 0, size * (0.5 + i), size, 1, 0, 0.5, 0.02 * size));
+        run(world, few_or_many(4, 20));
+        for (int i = 0; i < 5; ++i) {
+            const auto middle = middle_of(world, crates[std::size_t(i)]);
+            EXPECT_NEAR(double(middle[0]), 0, 0.01 * size) << size;
+            EXPECT_NEAR(double(middle[1]), size * (0.5 + i), 0.05 * size) << size;
+        }
+        EXPECT_LT(mean_speed(world), 1e-3 * size) << size;
+    }
+}
+
 // The floor under the light crate answers within the substep: the heavy one goes in no deeper than their radii, and
 // rests.
 TYPED_TEST(Figures2, AHeavyCrateRestsOnALightOne) {
@@ -110,8 +149,9 @@ template <class Real> struct Capstan {
     FlatWorld<Real> world;
     std::vector<ParticleId> rope;
 
-    Capstan(double friction, double ratio, bool touches_figures) {
-        constexpr double post = 1, radius = 0.02, around = post + radius, weight = 0.2;
+    /// `weight`: mass of the rope, of the left load.
+    Capstan(double friction, double ratio, bool touches_figures, double weight = 0.2) {
+        constexpr double post = 1, radius = 0.02, around = post + radius;
         constexpr int links = 16; // on the half circle
         const double link = 2 * around * std::sin(pi<double> / links / 2);
         const int tail = int(2 / link);
@@ -156,6 +196,19 @@ TYPED_TEST(Figures2, ARopeRoundAPostHoldsTheLoadOfEulerAndEytelwein) {
             EXPECT_NEAR(Capstan<TypeParam>(friction, 0.95 * law, touches_figures).slip(), 0, 2e-3) << friction;
             EXPECT_GT(Capstan<TypeParam>(friction, 1.05 * law, touches_figures).slip(), 0.2) << friction;
         }
+}
+
+// However light the rope is. Its load stays where it was from the first instant on, and just above the law it slips.
+TYPED_TEST(Figures2, ALightRopeRoundAPostHoldsTheSameLoad) {
+    constexpr double friction = 0.3, law = 2.566; // exp(mu pi)
+    for (const double weight : {0.02, 1e-3, 1e-4}) {
+        Capstan<TypeParam> holds(friction, 0.93 * law, true, weight), slips(friction, 1.07 * law, true, weight);
+        const double before = double((*position_of(holds.world, holds.rope.back()))[1]);
+        run(holds.world, 1);
+        EXPECT_NEAR(double((*position_of(holds.world, holds.rope.back()))[1]), before, 0.05) << weight;
+        EXPECT_NEAR(holds.slip(), 0, 5e-3) << weight;
+        EXPECT_GT(slips.slip(), 0.2) << weight;
+    }
 }
 
 TYPED_TEST(Figures2, ABulletDoesNotCrossACrate) {

@@ -147,6 +147,38 @@ TYPED_TEST(RigidCluster, SpinsForEver) {
     }
 }
 
+/// Lowest particle of all.
+template <class World> Row lowest(const World& world) {
+    Row lowest = 0;
+    for (Row row = 0; row < world.particles.size(); ++row)
+        if (world.particles.position[row][1] < world.particles.position[lowest][1]) lowest = row;
+    return lowest;
+}
+
+// A body that falls on its lowest particle is stopped there, and keeps its angular momentum about that point: the
+// floor without friction has no lever.
+TYPED_TEST(RigidCluster, AnswersToABlowAsABody) {
+    using World = typename TypeParam::World;
+    using Real = typename World::Real;
+    World world;
+    world.settings.substeps = 4;
+    add_spinning(world, 0);
+    const Row corner = lowest(world);
+    const auto at = world.particles.position[corner];
+    for (Row row = 0; row < world.particles.size(); ++row) {
+        world.particles.position[row] -= at;
+        world.particles.position[row][1] += Real(0.01);
+        world.particles.velocity[row][1] = -1;
+    }
+    world.bounds.push_back({World::Vector::axis(1), 0, 0, 0});
+    const auto momentum = [&] { return angular_momentum(world); };
+    const auto before = momentum();
+    step(world, Real(1e-3));
+    EXPECT_LT(norm(momentum() - before), (TypeParam::precise ? 1e-6 : 1e-4) * norm(before));
+    EXPECT_NEAR(double(world.particles.velocity[corner][1]), 0, 1e-3);
+    EXPECT_GT(energy(world).kinetic, 1);
+}
+
 // A tripod of equal legs carries a weight at its top: its legs push with W / (2 cos a) each, its foot pulls.
 TEST(RigidClusters, TellTheTensionOfTheirLinks) {
     FlatWorld<double> world;

@@ -94,6 +94,23 @@ template <int D, class Real> class CandidateSearch {
             });
     }
 
+    bool may_touch(std::uint32_t particle, const ContactSegment& segment) const {
+        const Row row = room_.particles[particle].row;
+        if (room_.is_of_cloth(row)) return false;
+        return row != segment.a && row != segment.b && meets(row, segment.a) && !are_linked(row, segment.a) &&
+               !are_linked(row, segment.b);
+    }
+    /// Calls visit(corner) for the corners of solids nested with that of a side.
+    template <class Visit> void each_nested(const ContactSegment& s, Visit&& visit) const {
+        if (s.side == 0) return;
+        for (const auto& pair : list_.nested) {
+            if (pair[0] != s.first && pair[1] != s.first) continue;
+            const auto other = pair[pair[0] == s.first];
+            for (auto i = other; i < other + room_.segments[other].count; ++i)
+                if (may_touch(room_.segments[i].number_a, s)) visit(room_.segments[i].number_a);
+        }
+    }
+
     bool is_new(const ContactSegment& s) const { return list_.is_new[s.number_a] || list_.is_new[s.number_b]; }
     bool is_renewed(const ContactSegment& s) const {
         return list_.is_renewed[s.number_a] || list_.is_renewed[s.number_b];
@@ -177,12 +194,6 @@ template <int D, class Real> class CandidateSearch {
         const auto &a = room_.particles[i], &b = room_.particles[k];
         if (room_.is_of_cloth(a.row) || room_.is_of_cloth(b.row)) return false; // face_contact.h, cloth_contact.h
         return !a.is_covered && !b.is_covered && meets(a.row, b.row) && !are_linked(a.row, b.row);
-    }
-    bool may_touch(std::uint32_t particle, const ContactSegment& segment) const {
-        const Row row = room_.particles[particle].row;
-        if (room_.is_of_cloth(row)) return false;
-        return row != segment.a && row != segment.b && meets(row, segment.a) && !are_linked(row, segment.a) &&
-               !are_linked(row, segment.b);
     }
     bool may_touch(const ContactSegment& s, const ContactSegment& t) const {
         return meets(s.a, t.a) && s.a != t.a && s.a != t.b && s.b != t.a && s.b != t.b && !are_linked(s.a, t.a) &&

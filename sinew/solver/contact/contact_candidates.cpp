@@ -1,5 +1,6 @@
 #include "sinew/math/sort.h"
 #include "sinew/solver/contact/candidate_renewal.h"
+#include "sinew/solver/contact/nested_solids.h"
 
 #include <algorithm>
 
@@ -74,7 +75,8 @@ template <int D, class Real> class CandidateFinder {
     }
     /// A list of which more than a quarter was renewed costs more than a new one.
     bool can_renew() const {
-        return list_.is_valid && 4 * (list_.renewed.size() + list_.astray.size()) < room_.particles.size();
+        return list_.is_valid && list_.nested.empty() &&
+               4 * (list_.renewed.size() + list_.astray.size()) < room_.particles.size();
     }
 
     void set_aside() {
@@ -143,8 +145,14 @@ template <int D, class Real> class CandidateFinder {
                        last = std::uint32_t(std::uint64_t(features) * std::uint64_t(chunk + 1) / chunks);
             for (auto feature = first; feature < last; ++feature) {
                 const auto begun = found.size();
-                search_.each_lower(feature, [&](std::uint32_t other) { found.push_back({feature, other}); });
-                sinew::sort(found.begin() + std::ptrdiff_t(begun), found.end());
+                const auto list = [&](std::uint32_t other) { found.push_back({feature, other}); };
+                search_.each_lower(feature, list);
+                const bool is_segment = feature >= particles();
+                if (is_segment && !list_.nested.empty())
+                    search_.each_nested(room_.segments[feature - particles()], list);
+                const auto own = found.begin() + std::ptrdiff_t(begun);
+                sinew::sort(own, found.end());
+                found.erase(std::unique(own, found.end()), found.end());
             }
         });
     }
@@ -165,6 +173,10 @@ template <int D, class Real> class CandidateFinder {
             for (const auto& pair : found) list_.candidates[parts[part_of(room_, pair)].last++] = pair;
     }
 
+    bool is_nested(std::uint32_t particle, const ContactSegment& s) const {
+        if (list_.nested.empty() || s.side == 0) return false;
+        return list_.is_nested(detail::Solids<D, Real>(room_, state_).of(particle), s.first);
+    }
     /// Numbers for the first look at a pair in each substep (simd/near_pairs.h). Pairs of segments are always looked
     /// at closely.
     void note_slots() {
@@ -183,8 +195,10 @@ template <int D, class Real> class CandidateFinder {
                 continue;
             }
             const auto& s = room_.segments[first - count];
-            if (second < count)
+            if (second < count && !is_nested(second, s))
                 put(i, second, s.number_a, s.number_b, search_.size_of(second) + search_.size_of(s));
+            else if (second < count)
+                put(i, second, s.number_a, s.number_b, std::numeric_limits<Real>::infinity());
             else
                 put(i, s.number_a, s.number_a, s.number_b, std::numeric_limits<Real>::infinity());
         }
@@ -192,6 +206,11 @@ template <int D, class Real> class CandidateFinder {
 };
 
 } // namespace
+
+template <int D, class Real> void find_nested_solids(World<D, Real>& world, Solver<D, Real>& solver) {
+    auto& room = contact_room(solver);
+    if constexpr (D == 2) detail::NestedSolids<D, Real>(world, room, solver.sweep_state).find();
+}
 
 template <int D, class Real>
 bool find_contact_candidates(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h) {
@@ -230,6 +249,7 @@ void find_near_planes(const World<D, Real>& world, ContactRoom<D, Real>& room, R
 }
 
 #define SINEW_CONTACT_CANDIDATES(D, Real)                                                                              \
+    template void find_nested_solids(World<D, Real>&, Solver<D, Real>&);                                               \
     template bool find_contact_candidates(World<D, Real>&, Solver<D, Real>&, Real, Real);                              \
     template void find_near_planes(const World<D, Real>&, ContactRoom<D, Real>&, Real, bool);
 SINEW_INSTANTIATE(SINEW_CONTACT_CANDIDATES)

@@ -3,9 +3,17 @@
 #include "sinew/solver/contact/contact_row.h"
 #include "sinew/solver/contact/feature_grid.h"
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace sinew::detail {
+
+/// Box around a solid, named by its first segment.
+template <int D, class Real> struct SolidBox {
+    collide::BoundingBox<D, Real> box;
+    std::uint32_t solid = 0;
+};
 
 /// Pairs of features that may touch, and the motion for which the list is valid: nothing deviates by more than a margin
 /// from its expected place. What does is given a new forecast, and its pairs are searched for again. Every row that may
@@ -32,7 +40,16 @@ template <int D, class Real> struct ContactList {
     std::vector<Real> radius;                                     ///< per particle, when listed
     std::vector<std::uint32_t> strip;                             ///< per particle, when listed
 
+    using SolidPair = std::array<std::uint32_t, 2>;
+    std::vector<SolidPair> nested; ///< first segments of solids that overlap when the step begins, in order
+    bool is_nested(std::uint32_t a, std::uint32_t b) const {
+        if (nested.empty()) return false;
+        return std::binary_search(nested.begin(), nested.end(), SolidPair{std::min(a, b), std::max(a, b)});
+    }
+
     // Scratch of the search.
+    std::vector<SolidPair> found_nested;
+    std::vector<SolidBox<D, Real>> boxes;
     std::vector<std::uint32_t> figure;        ///< per particle
     FeatureGrid<D, Real> particles, segments; ///< when listed; segments where `has_segments`
     bool has_segments = false;

@@ -111,6 +111,8 @@ template <int D, class Real> bool is_held_exactly(const Solver<D, Real>& solver,
 
 /// contact_features.cpp: lists the features of the colliding figures, before a sweep.
 template <int D, class Real> void find_contact_features(World<D, Real>& world, Solver<D, Real>& solver);
+/// contact_candidates.cpp: lists the solids that overlap, at the start of a step.
+template <int D, class Real> void find_nested_solids(World<D, Real>& world, Solver<D, Real>& solver);
 /// contact_candidates.cpp: lists the pairs of features that may touch, where the last list no longer holds; `left` is
 /// the rest of the step, `h` a substep. True if the list is new.
 template <int D, class Real>

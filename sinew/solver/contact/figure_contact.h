@@ -143,7 +143,7 @@ template <int D, class Real> class FigureContact {
     template <class Work> void each_part(const Work& work) { room().parts.run(threads_, work); }
 
     void list_candidates() {
-        if (is_first_) set_margin();
+        if (is_first_) set_margin(), find_nested_solids(world_, solver_);
         const bool is_new = find_contact_candidates(world_, solver_, left_, h_);
         if (is_first_ || is_new)
             find_near_planes(world_, room(), WallRows<D, Real>::margin(0, norm(state_.gravity), h_), is_first_);

@@ -2,7 +2,7 @@
 
 #include "sinew/solver/contact/crossing_sides.h"
 #include "sinew/solver/contact/row_writer.h"
-#include "sinew/solver/contact/segment_normals.h"
+#include "sinew/solver/contact/solids.h"
 
 namespace sinew::detail {
 
@@ -50,6 +50,8 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     /// Depth from which crossing links are held as the figures answer, of both radii: less than `share_of_deep`, since
     /// they have no other rows beside.
     static constexpr Real share_of_crossing = Real(0.3);
+    const ContactList<D, Real>& list_ = room_.list;
+    Solids<D, Real> solids_{room_, state_};
     Real near_by_, margin_;
     std::uint32_t source_ = 0; ///< the candidate
 
@@ -67,6 +69,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if (!acts) forget();
     }
     bool add(const NearSegment<D, Real>& near, const Particle& p, const Particle& other) {
+        if (near.distance < p.radius + other.radius && are_nested(p, other)) return false;
         ContactRowT row;
         row.normal = Vector::map([&](int k) { return near.normal[k]; });
         row.gap = near.distance - p.radius - other.radius;
@@ -114,6 +117,19 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if (t > Real(0)) take(row, b, -t);
     }
 
+    std::uint32_t number_of(const Particle& p) const { return std::uint32_t(&p - room_.particles.data()); }
+    /// Corners of boxes side by side are outside of each other by rounding.
+    static Real slack_of(Real radius) { return Real(0.01) * radius; }
+    /// True for a corner of a solid inside another one: it leaves by a side, not away from a corner.
+    bool are_nested(const Particle& a, const Particle& b) const {
+        if constexpr (D == 2) {
+            const Real slack = slack_of(min(a.radius, b.radius));
+            return solids_.contains(solids_.of(number_of(b)), state_.position_at(a.slot), slack) ||
+                   solids_.contains(solids_.of(number_of(a)), state_.position_at(b.slot), slack);
+        }
+        return false;
+    }
+
     // --- figures with each other -------------------------------------------------------------------------------------
 
     bool add(const Particle& a, const Particle& b) {
@@ -122,6 +138,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         Origin origin;
         row.normal = normal_of(away, Vector::axis(1));
         row.gap = norm(away) - a.radius - b.radius;
+        if (row.gap < Real(0) && are_nested(a, b)) return false;
         origin.deep = share_of_deep * (a.radius + b.radius);
         take(row, a.slot, Real(1));
         take(row, b.slot, Real(-1));
@@ -140,11 +157,14 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         Real distance = norm(away);
         const Real per = inverse_or_zero(distance);
         row.normal = per > Real(0) ? away * per : left_of(a, b);
-        if (s.side != 0 && t > Real(0) && t < Real(1)) {
+        const bool is_nested = s.side != 0 && list_.is_nested(solids_.of(number_of(p)), s.first);
+        if (s.side != 0 && (is_nested || (t > Real(0) && t < Real(1)))) {
             row.normal = left_of(a, b) * Real(s.side);
             distance = dot(row.normal, away);
-            if (distance < -Real(2) * room_.list.widest) return false;
-            if (distance < Real(0) && !is_nearest_side(room_, state_, x, s, distance)) return false;
+            if (distance < -Real(2) * list_.widest && !is_nested) return false;
+            if (distance < Real(0) && !solids_.is_way_out(number_of(p), x, s)) return false;
+        } else if (s.side != 0 && distance < p.radius + radius && solids_.contains(s.first, x, slack_of(radius))) {
+            return false; // a corner inside leaves by a side
         }
         if constexpr (D == 2)
             if (s.side == 0) remember_side(row, dot(row.normal, side_of(a, b)) >= Real(0), t, distance);

@@ -28,17 +28,4 @@ template <int D, class Real> Vec<D, Real> left_of(const Vec<D, Real>& a, const V
     return direction(side_of(a, b));
 }
 
-/// True if no other side of the solid that a segment bounds is nearer to a point inside; `distance` to the segment.
-template <int D, class Real>
-bool is_nearest_side(const ContactRoom<D, Real>& room, const SweepState<D, Real>& state, const Vec<D, Real>& x,
-                     const ContactSegment& s, Real distance) {
-    const auto position = [&](Row row) { return state.position_at(state.slot_of[row]); };
-    for (auto i = s.first; i < s.first + s.count; ++i) {
-        const auto& other = room.segments[i];
-        const auto a = position(other.a);
-        if (dot(left_of(a, position(other.b)) * Real(other.side), x - a) > distance) return false;
-    }
-    return true;
-}
-
 } // namespace sinew::detail
