@@ -359,7 +359,7 @@ void die(Sprite& s) {
 }
 
 /// A space creature, pixel by pixel: the left half is given, the right half mirrored.
-void invader(Sprite& s) {
+void invader(Sprite& s, unsigned outline, unsigned body) {
     constexpr const char* rows[] = {"...#..", "#...##", "#.####", "##.##.", "######", ".#####", "..#.#.", ".#.#.."};
     constexpr int wide = 6, high = 8;
     const double pixel = s.height / high;
@@ -371,7 +371,7 @@ void invader(Sprite& s) {
                     cairo_rectangle(s.pen, (column - wide + 0.5) * pixel - grown, (y - high / 2) * pixel - grown,
                                     pixel + 2 * grown, pixel + 2 * grown);
             }
-        s.color(grown > 0 ? 0x1d3b2aU : 0x7ddc84U);
+        s.color(grown > 0 ? outline : body);
         cairo_fill(s.pen);
     }
 }
@@ -438,7 +438,13 @@ int main(int count, char** words) {
     drawn("plank.png", 60, 12, plank);
     drawn("crate.png", 100, 100, crate);
     drawn("die.png", 100, 100, die);
-    drawn("invader.png", 46, 32, invader);
+    constexpr std::tuple<const char*, unsigned, unsigned> invaders[] = {{"invader.png", 0x1d3b2a, 0x7ddc84},
+                                                                        {"invader_red.png", 0x3f1a16, 0xe8705a},
+                                                                        {"invader_yellow.png", 0x3d3212, 0xe9c04a},
+                                                                        {"invader_blue.png", 0x14303d, 0x5fb8e0},
+                                                                        {"invader_violet.png", 0x321a3d, 0xc07ddc}};
+    for (const auto& [name, outline, body] : invaders)
+        drawn(name, 46, 32, [outline = outline, body = body](Sprite& s) { invader(s, outline, body); });
     drawn("spider.png", 40, 44, spider);
     return good ? 0 : 1;
 }
