@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 /// Rigid clusters: which links make one, and how it moves.
@@ -128,6 +129,20 @@ template <class World> std::vector<ParticleId> add_spinning(World& world, double
     return ids;
 }
 
+template <class World> double shortest_link(const World& world) {
+    const auto& links = std::get<kind_number<Distance, World::dimension>>(world.constraints);
+    double shortest = 1;
+    for (Row row = 0; row < links.size(); ++row) shortest = std::min(shortest, double(links.high(row)));
+    return shortest;
+}
+
+template <class World> double farthest_coordinate(const World& world) {
+    double farthest = 0;
+    for (const auto& position : world.particles.position)
+        for (const auto x : position.component) farthest = std::max(farthest, std::abs(double(x)));
+    return farthest;
+}
+
 // Nothing acts on the body: its momentum stays, in the plane its energy too, and in space that of the method's.
 TYPED_TEST(RigidCluster, SpinsForEver) {
     using World = typename TypeParam::World;
@@ -143,7 +158,9 @@ TYPED_TEST(RigidCluster, SpinsForEver) {
         EXPECT_LT(norm(after - before), exact * norm(before)) << speed;
         EXPECT_LT(energy(world).kinetic, energy_before * (1 + exact)) << speed;
         EXPECT_GT(energy(world).kinetic, energy_before * (1 - (World::dimension == 2 ? exact : 0.02))) << speed;
-        EXPECT_LT(stretch(world).max, TypeParam::precise ? 1e-11 : 2e-6) << speed;
+        // Lengths in floats are right to the rounding of the places: the body drifts by up to 60 m.
+        const double rounding = farthest_coordinate(world) * double(std::numeric_limits<float>::epsilon());
+        EXPECT_LT(stretch(world).max, TypeParam::precise ? 1e-11 : rounding / shortest_link(world)) << speed;
     }
 }
 
@@ -174,7 +191,7 @@ TYPED_TEST(RigidCluster, AnswersToABlowAsABody) {
     const auto momentum = [&] { return angular_momentum(world); };
     const auto before = momentum();
     step(world, Real(1e-3));
-    EXPECT_LT(norm(momentum() - before), (TypeParam::precise ? 1e-6 : 1e-4) * norm(before));
+    EXPECT_LT(norm(momentum() - before), 1e-4 * norm(before)); // the contact moves on for the rest of the step
     EXPECT_NEAR(double(world.particles.velocity[corner][1]), 0, 1e-3);
     EXPECT_GT(energy(world).kinetic, 1);
 }

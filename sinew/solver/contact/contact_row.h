@@ -1,6 +1,5 @@
 #pragma once
 
-#include "sinew/math/matrix.h"
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/world/contacts.h"
 
@@ -51,10 +50,9 @@ template <int D, class Real> struct ContactOrigin {
 };
 
 /// Row solved as whole figures answer.
-template <int D, class Real> struct HeldRow {
+struct HeldRow {
     std::uint32_t row = 0;
     std::uint32_t component = 0; ///< of rigid links, of the light particle
-    Matrix<D, Real> response{};  ///< displacement of the contact for an impulse, 1 / kg
 };
 
 /// Impulses of the held rows of a component in a round.
@@ -118,7 +116,7 @@ template <int D, class Real> struct ContactPart {
     std::vector<ContactOrigin<D, Real>> origins;    ///< of the rows
     std::vector<NearSegment<D, Real>> near;         ///< scratch: candidates that may touch in this substep
     std::vector<std::uint32_t> deep;                ///< rows that may have to be held as the figures answer
-    std::vector<HeldRow<D, Real>> held;             ///< rows solved as the figures answer
+    std::vector<HeldRow> held;                      ///< rows solved as the figures answer
     std::size_t first_wall = 0;                     ///< index of the first row of a wall
     std::vector<ContactKey> wall_keys;
     std::vector<ContactRow<D, Real>> sensed;            ///< links near sensors, which do not act

@@ -42,8 +42,6 @@ template <int D, class Real> class FigureContact {
         });
         room().joints.begin(world_, state_, scale);
         room().projector.project_velocities(state_, threads_);
-        for (auto& part : room().parts.list)
-            for (auto& one : part.held) one.response = held_.response_of(part.rows[one.row]);
         Rebounds<D, Real>(room(), state_, rows_, h_).run();
     }
 
@@ -124,12 +122,11 @@ template <int D, class Real> class FigureContact {
             if (!any) break;
         }
     }
-    void solve_held(Part& part, const HeldRow<D, Real>& one, const Soft& soft) {
+    void solve_held(Part& part, const HeldRow& one, const Soft& soft) {
         auto& row = part.rows[one.row];
         const auto impulse = [&row] { return row.normal * row.multiplier + row.tangent; };
         const auto before = impulse();
-        rows_.solve(row, HeldNodes<D, Real>(held_, rows_, row, one.response), soft,
-                    part.origins[one.row].surface_displacement);
+        rows_.solve(row, HeldNodes<D, Real>(held_, rows_, row), soft, part.origins[one.row].surface_displacement);
         auto& figure = settling_of(one);
         figure.largest = max(figure.largest, row.multiplier);
         figure.changed = max(figure.changed, norm(impulse() - before));
@@ -138,7 +135,7 @@ template <int D, class Real> class FigureContact {
         for (auto& part : room().parts.list)
             for (const auto& one : part.held) visit(one);
     }
-    HeldSettling<Real>& settling_of(const HeldRow<D, Real>& one) { return room().settling[one.component]; }
+    HeldSettling<Real>& settling_of(const HeldRow& one) { return room().settling[one.component]; }
     RowSolver<D, Real> rows_on_clusters() { return {state_, max_displacement(h_), room().projector.motions()}; }
     template <class Work> void each_part(const Work& work) { room().parts.run(threads_, work); }
 

@@ -80,10 +80,9 @@ template <int D, class Real> class HeldNodes {
     using Vector = Vec<D, Real>;
     using RowT = ContactRow<D, Real>;
 
-    /// `response`: of the contact.
-    HeldNodes(const HeldRows<D, Real>& held, const RowSolver<D, Real>& rows, const RowT& row,
-              const Matrix<D, Real>& response)
-        : held_(held), rows_(rows), row_(row), response_(response) {}
+    /// Ropes let go and take hold from push to push, so the response is that of now.
+    HeldNodes(const HeldRows<D, Real>& held, const RowSolver<D, Real>& rows, const RowT& row)
+        : held_(held), rows_(rows), row_(row), response_(held.response_of(row)) {}
 
     Vector displacement() const { return rows_.relative_displacement(row_); }
     Real mass_along(const Vector& direction) const { return inverse_or_zero(dot(direction, response_ * direction)); }
@@ -93,7 +92,7 @@ template <int D, class Real> class HeldNodes {
     const HeldRows<D, Real>& held_;
     const RowSolver<D, Real>& rows_;
     const RowT& row_;
-    const Matrix<D, Real>& response_;
+    Matrix<D, Real> response_; ///< displacement of the contact for an impulse, 1 / kg
 };
 
 } // namespace sinew::detail

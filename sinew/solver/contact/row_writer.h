@@ -29,10 +29,10 @@ template <int D, class Real> class RowWriter {
     Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
 
-    /// True for a particle of a figure with loads so much heavier that a row would have to act a hundred times before
+    /// True for a particle of a figure with loads so much heavier that a row would have to act a thousand times before
     /// these feel it: a rope that carries somebody over an edge.
     bool is_light(Row slot) const {
-        constexpr Real much = 100;
+        constexpr Real much = 1000;
         return !room_.projector.is_in_cluster(slot) && room_.projector.heaviest(slot) * state_.mobility[slot] > much;
     }
     /// Two balls are turned at arms that meet, however far apart they are when the blow is foreseen: what one receives
