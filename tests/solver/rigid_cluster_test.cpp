@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 /// Rigid clusters: which links make one, and how it moves.
@@ -123,24 +122,12 @@ template <class World> std::vector<ParticleId> add_spinning(World& world, double
             world,
             {.position = position, .velocity = velocity, .mass = Real(1 + i), .radius = Real(0.01), .figure = figure}));
     }
+    const auto drift = cast<Real>(momentum(world) * (2.0 / (count * (count + 1)))); // far away floats are coarse
+    for (auto& velocity : world.particles.velocity) velocity -= drift;
     for (std::size_t i = 0; i < ids.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) add<Distance>(world, {ids[k], ids[i]}, {.figure = figure});
     world.figures[figure].particles = ids;
     return ids;
-}
-
-template <class World> double shortest_link(const World& world) {
-    const auto& links = std::get<kind_number<Distance, World::dimension>>(world.constraints);
-    double shortest = 1;
-    for (Row row = 0; row < links.size(); ++row) shortest = std::min(shortest, double(links.high(row)));
-    return shortest;
-}
-
-template <class World> double farthest_coordinate(const World& world) {
-    double farthest = 0;
-    for (const auto& position : world.particles.position)
-        for (const auto x : position.component) farthest = std::max(farthest, std::abs(double(x)));
-    return farthest;
 }
 
 // Nothing acts on the body: its momentum stays, in the plane its energy too, and in space that of the method's.
@@ -158,9 +145,7 @@ TYPED_TEST(RigidCluster, SpinsForEver) {
         EXPECT_LT(norm(after - before), exact * norm(before)) << speed;
         EXPECT_LT(energy(world).kinetic, energy_before * (1 + exact)) << speed;
         EXPECT_GT(energy(world).kinetic, energy_before * (1 - (World::dimension == 2 ? exact : 0.02))) << speed;
-        // Lengths in floats are right to the rounding of the places: the body drifts by up to 60 m.
-        const double rounding = farthest_coordinate(world) * double(std::numeric_limits<float>::epsilon());
-        EXPECT_LT(stretch(world).max, TypeParam::precise ? 1e-11 : rounding / shortest_link(world)) << speed;
+        EXPECT_LT(stretch(world).max, TypeParam::precise ? 1e-11 : 2e-6) << speed;
     }
 }
 

@@ -4,7 +4,7 @@
 #include "sinew/solver/simd/link_pack.h"
 #include "sinew/solver/sweep_state.h"
 
-/// What a row of contact acts on: particles, each for itself, or with them the rigid clusters that they belong to.
+/// Nodes of a row of contact: particles, each for itself, or with them the rigid clusters that they belong to.
 namespace sinew::detail {
 
 /// Motions of the clusters in a substep, and the cluster of each slot of the sweep.
