@@ -1,0 +1,10 @@
+// A step always has the same length, frames do not: the remainder waits for the next frame, and after a stall time is lost.
+export class Clock {
+    owed = 0;
+
+    /** Takes the steps that are due after so many seconds of real time. */
+    advance(simulation, seconds) {
+        this.owed = Math.min(this.owed + seconds, 0.25);
+        for (; this.owed >= 1 / simulation.rate; this.owed -= 1 / simulation.rate) simulation.step();
+    }
+}
