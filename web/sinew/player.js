@@ -1,5 +1,6 @@
 import { valueText } from "./engine.js";
 import { SinewError, status } from "./errors.js";
+import { Handle } from "./handle.js";
 import { Picture } from "./picture.js";
 import { Simulation } from "./simulation.js";
 
@@ -12,23 +13,7 @@ function numberOf(table, name) {
 }
 
 /** The interactive player of the window: clock, tools, camera, undo, timeline. */
-export class Player {
-    constructor(engine, handle) {
-        this.engine = engine;
-        this.handle = handle;
-        this.isClosed = false;
-    }
-
-    call(name, ...given) {
-        this.engine.call(name, this.handle, ...given);
-    }
-
-    ask(name, ...given) {
-        const { result } = this.engine.data;
-        this.call(name, ...given, result);
-        return result;
-    }
-
+export class Player extends Handle {
     /** Calls a function with texts. */
     say(name, texts, ...given) {
         this.engine.data.within((arena) => this.call(name, ...texts.map((text) => arena.text(text)), ...given));

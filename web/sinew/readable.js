@@ -1,29 +1,17 @@
+import { Handle } from "./handle.js";
+
 /** Numbers of sinew_column in bindings/c/sinew.h. */
 const column = { position: 0, previous: 1, velocity: 2, inverseMass: 3, radius: 4, figure: 5, ends: 6, mobility: 7, asleep: 8, tension: 9, strain: 10, triangles: 11 };
 
 /** What can be read of a running scene. */
-export class Readable {
+export class Readable extends Handle {
     constructor(engine, handle) {
-        this.engine = engine;
-        this.handle = handle;
-        this.isClosed = false;
+        super(engine, handle);
         const info = this.info();
         Object.assign(this, {
             dimension: info.dimension, precision: info.precision, rate: info.rate, seconds: info.seconds,
             size: info.size, yIsDown: info.yIsDown, isReadOnly: info.isReadOnly,
         });
-    }
-
-    /** Calls a function with this simulation; texts and structs are passed as addresses. */
-    call(name, ...given) {
-        this.engine.call(name, this.handle, ...given);
-    }
-
-    /** Calls a function that gives its result at the engine's result address, which is returned. */
-    ask(name, ...given) {
-        const { result } = this.engine.data;
-        this.call(name, ...given, result);
-        return result;
     }
 
     info() {
