@@ -66,7 +66,7 @@ function offline(): Plugin {
     };
 }
 
-const types: Record<string, string> = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json" };
+const types: Record<string, string> = { ".html": "text/html", ".js": "text/javascript", ".json": "application/json", ".obj": "text/plain", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json" };
 
 /** Writes beside every file of text or code the same under Brotli, for hosts that serve such; kept by content, as it takes a while. */
 function compressed(): Plugin {

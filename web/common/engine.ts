@@ -2,6 +2,9 @@ import { catalogue, load, loadFloat, type CatalogueScene, type Engine, type Open
 
 const files = import.meta.glob<string>("../sinew/images/**/*.png", { query: "?url", import: "default", eager: true });
 const addresses = new Map(Object.entries(files).map(([path, address]) => [path.replace("../sinew/images/", ""), address]));
+const models = import.meta.glob<string>("../../scenes/models/*.obj", { query: "?url", import: "default", eager: true });
+const modelAddresses = new Map(Object.entries(models).map(([path, address]) => [path.replace("../../scenes/", ""), address]));
+const isIn = (text: string, name: string): boolean => text.includes(`"${name}"`);
 const bitmaps = new Map<string, Promise<ImageBitmap>>();
 
 function bitmap(name: string): Promise<ImageBitmap> | undefined {
@@ -12,14 +15,45 @@ function bitmap(name: string): Promise<ImageBitmap> | undefined {
     return found;
 }
 
+let loading: Promise<CatalogueScene[]> | undefined;
+
+/** The catalogue, loaded when it is first asked for: a page that opens one scene does without. */
+export function loadScenes(): Promise<CatalogueScene[]> {
+    loading ??= catalogue();
+    loading.catch(() => (loading = undefined)); // without a network: another time
+    return loading;
+}
+
+const texts = import.meta.glob<string>("../../scenes/*.json", { query: "?url", import: "default", eager: true });
+
+/** The text of a scene of the catalogue; undefined if none is called so. */
+export async function sceneText(name: string): Promise<string | undefined> {
+    const address = texts[`../../scenes/${name}.json`];
+    return address && (await fetch(address)).text();
+}
+
 /** Images and models of the catalogue, for any scene that names them. */
 export class Assets {
-    private readonly images: Map<string, { width: number; height: number }>;
-    private readonly models: Map<string, string>;
+    private readonly images = new Map<string, { width: number; height: number }>();
+    private readonly models = new Map<string, string>();
 
-    constructor(scenes: CatalogueScene[]) {
-        this.images = new Map(scenes.flatMap((scene) => Object.entries(scene.images)));
-        this.models = new Map(scenes.flatMap((scene) => Object.entries(scene.models)));
+    /** Whether a text names an image or a model that `prepare` loads. */
+    static areIn(text: string): boolean {
+        return [...addresses.keys(), ...modelAddresses.keys()].some((name) => isIn(text, name));
+    }
+
+    /** Loads what a text names, for its scene to open with. */
+    async prepare(text: string): Promise<void> {
+        const loadImage = async (name: string): Promise<void> => {
+            const image = await bitmap(name);
+            if (image) this.images.set(name, { width: image.width, height: image.height });
+        };
+        const loadModel = async (name: string, address: string): Promise<void> => {
+            if (!this.models.has(name)) this.models.set(name, await (await fetch(address)).text());
+        };
+        await Promise.all([
+            ...[...addresses.keys()].filter((name) => isIn(text, name)).map(loadImage),
+            ...[...modelAddresses].filter(([name]) => isIn(text, name)).map(([name, address]) => loadModel(name, address))]);
     }
 
     /** A model that somebody brings, until the page is left. */
@@ -29,7 +63,7 @@ export class Assets {
 
     optionsOf(text: string): Pick<OpenOptions, "images" | "models"> {
         const named = <Value>(all: Map<string, Value>): Record<string, Value> =>
-            Object.fromEntries([...all].filter(([name]) => text.includes(`"${name}"`)));
+            Object.fromEntries([...all].filter(([name]) => isIn(text, name)));
         return { images: named(this.images), models: named(this.models) };
     }
 
@@ -45,7 +79,6 @@ export class Assets {
 
 export interface Loaded {
     engine: Engine;
-    scenes: CatalogueScene[];
     assets: Assets;
 }
 
@@ -56,13 +89,16 @@ export const usefulThreads = (): number => Math.min(Math.max((navigator.hardware
 
 /** Several threads need a page that is cross-origin isolated; elsewhere the engine has one. */
 export async function loadEngine(threads = 1): Promise<Loaded> {
-    const [engine, scenes] = await Promise.all([load(undefined, { threads }), catalogue()]);
-    return { engine, scenes, assets: new Assets(scenes) };
+    return { engine: await load(undefined, { threads }), assets: new Assets() };
 }
 
-/** Loads the module of float worlds if a scene, or a pair of an address, asks for them. */
-export async function provide(engine: Engine, text: string, pairs: string[] = []): Promise<void> {
-    if (asksForFloat(text) || pairs.some((pair) => /^(solver\.)?precision=float$/.test(pair))) await loadFloat(engine);
+/** Loads what a scene, or a pair of an address, asks for: the module of float worlds, images, models. */
+export async function provide({ engine, assets }: Loaded, text: string, pairs: string[] = []): Promise<void> {
+    const isFloat = asksForFloat(text) || pairs.some((pair) => /^(solver\.)?precision=float$/.test(pair));
+    await Promise.all([isFloat ? loadFloat(engine) : undefined, assets.prepare(text)]);
 }
 
-export const asksForFloat = (text: string): boolean => /"precision"\s*:\s*"float"/.test(text);
+const asksForFloat = (text: string): boolean => /"precision"\s*:\s*"float"/.test(text);
+
+/** Whether `provide` has something to load for a text. */
+export const asksForMore = (text: string): boolean => asksForFloat(text) || Assets.areIn(text);

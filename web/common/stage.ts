@@ -1,7 +1,8 @@
-import { Canvas2DPainter, type Engine, type OpenOptions, type Player } from "../sinew/index.js";
+import { Canvas2DPainter, SceneErrors, type Engine, type OpenOptions, type Player } from "../sinew/index.js";
 import { context2d, smooth } from "./context.js";
 import type { Assets } from "./engine.js";
 import { Pointer } from "./pointer.js";
+import { theme } from "./theme.js";
 
 const longestFrame = 0.1; // seconds; a longer pause of the browser is not made up for
 const mostDense = 2; // device pixels per CSS pixel that are worth painting
@@ -28,11 +29,11 @@ export class Stage {
     private readonly observers: (ResizeObserver | IntersectionObserver)[];
     private readonly onvisibility = (): void => this.wake();
 
-    private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, readonly player: Player, private readonly assets: Assets, text: string, takesWheel: boolean) {
+    private constructor(readonly canvas: HTMLCanvasElement, readonly engine: Engine, private current: Player, readonly assets: Assets, text: string, takesWheel: boolean) {
         this.context = context2d(canvas);
         this.painter = new Canvas2DPainter(this.context, { font: "'Inter Variable', system-ui, sans-serif" });
         this.loadImages(text);
-        this.pointer = new Pointer(canvas, () => player, () => this.wake(), takesWheel);
+        this.pointer = new Pointer(canvas, () => this.player, () => this.wake(), takesWheel);
         this.observers = [new ResizeObserver(() => this.resize()), new IntersectionObserver((entries) => {
             this.isVisible = entries.at(-1)?.isIntersecting ?? true;
             if (this.isVisible) this.wake();
@@ -48,9 +49,15 @@ export class Stage {
         return new Stage(canvas, engine, player, assets, scene, takesWheel);
     }
 
-    /** Opens another scene in the same player; throws SceneErrors and keeps the old one. */
+    /** The player of the scene that is shown: another one after a scene of the other precision. */
+    get player(): Player {
+        return this.current;
+    }
+
+    /** Opens another scene; throws SceneErrors and keeps the old one. */
     show(scene: string, options: OpenOptions = {}): void {
-        this.player.open(scene, { ...this.assets.optionsOf(scene), ...options });
+        const all = { ...this.assets.optionsOf(scene), ...options };
+        this.orAnew(() => this.player.open(scene, all), scene, all);
         this.fitted = 1;
         this.loadImages(scene);
         this.resize();
@@ -58,9 +65,27 @@ export class Stage {
 
     /** Continues as an edited scene; throws SceneErrors. */
     become(scene: string): void {
-        this.player.become(scene, this.assets.optionsOf(scene));
+        const options = this.assets.optionsOf(scene);
+        this.orAnew(() => this.player.become(scene, options), scene, options);
         this.loadImages(scene);
         this.wake();
+    }
+
+    /** Does what gives the player a scene. The player of one precision cannot have one of the other: a new one begins with it. */
+    private orAnew(give: () => void, scene: string, options: OpenOptions): void {
+        try {
+            give();
+        } catch (error) {
+            if (!(error instanceof SceneErrors) || !error.isOfOtherPrecision) throw error;
+            const before = this.player, { tool, overlays } = before.state();
+            this.current = this.engine.play(scene, options);
+            before.dispose();
+            this.player.setTheme(theme());
+            this.player.setTool(tool);
+            this.player.setOverlays(overlays);
+            this.fitted = 1;
+            this.resize();
+        }
     }
 
     optionsOf(scene: string): OpenOptions {

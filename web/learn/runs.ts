@@ -1,4 +1,4 @@
-import { asksForFloat, provide, type Loaded } from "../common/engine.js";
+import { asksForMore, provide, type Loaded } from "../common/engine.js";
 import { Stage } from "../common/stage.js";
 import { theme } from "../common/theme.js";
 import { SceneErrors } from "../sinew/index.js";
@@ -77,16 +77,16 @@ export class SceneRun implements Run {
     onframe = (): void => {};
     onproblems: Run["onproblems"] = () => {};
     private value: number;
-    private hasFloat = false;
+    private isProvided = false;
 
     constructor(private readonly canvas: HTMLCanvasElement, private readonly figure: SceneFigure, private readonly loaded: Loaded) {
         this.value = figure.slider.value;
     }
 
     open(text: string): void {
-        if (asksForFloat(text) && !this.hasFloat) {
-            void provide(this.loaded.engine, text).then(() => {
-                this.hasFloat = true;
+        if (asksForMore(text) && !this.isProvided) {
+            void provide(this.loaded, text).then(() => {
+                this.isProvided = true;
                 this.open(text);
             });
             return;

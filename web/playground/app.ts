@@ -1,13 +1,13 @@
 import { SceneErrors, type CatalogueScene, type Engine } from "../sinew/index.js";
 import { readAddress, type Address } from "../common/address.js";
 import { announce, byId, debounced, el, words } from "../common/dom.js";
-import { provide, type Assets } from "../common/engine.js";
+import { loadScenes, provide, sceneText, type Assets } from "../common/engine.js";
 import { Stage } from "../common/stage.js";
 import { applyTheme, setTheme, theme } from "../common/theme.js";
 import { exportKinds, exportScene } from "./exports.js";
 import { Films } from "./films.js";
 import { offer, sceneFile } from "./files.js";
-import { Gallery } from "./gallery.js";
+import type { Gallery } from "./gallery.js";
 import { helpDialog } from "./help.js";
 import { connectKeys } from "./keys.js";
 import { Menu } from "./menu.js";
@@ -31,7 +31,9 @@ export interface Opened {
 export class App {
     stage: Stage | null = null;
     opened: Opened | null = null;
-    private readonly gallery: Gallery;
+    /** The catalogue, once the gallery has been shown. */
+    scenes: CatalogueScene[] | undefined;
+    private gallery: Gallery | undefined;
     private readonly help: HTMLDialogElement;
     private readonly films = new Films();
     private toolbar: Toolbar | null = null;
@@ -41,11 +43,7 @@ export class App {
     private lastMessage = "";
     private refreshedAt = 0;
 
-    constructor(readonly engine: Engine, readonly scenes: CatalogueScene[], private readonly assets: Assets) {
-        this.gallery = new Gallery(scenes, {
-            blank: () => void this.openText(blankScene, "new scene"),
-            file: () => this.chooseFile(),
-        });
+    constructor(readonly engine: Engine, readonly assets: Assets) {
         this.help = helpDialog(engine);
         new Menu([
             { name: "scenes", icon: "scenes", tip: "all scenes", href: "#" },
@@ -72,41 +70,52 @@ export class App {
         if (fragment !== "" && fragment === this.shownAddress) return;
         try {
             const address = await readAddress(fragment);
-            if (address.scene === undefined && address.text === undefined) return this.showGallery();
+            if (address.scene === undefined && address.text === undefined) return await this.showGallery();
             await this.open(address);
             this.shownAddress = fragment;
         } catch (error) {
-            if (!this.opened) this.showGallery();
+            if (!this.opened) await this.showGallery();
             announce(messageOf(error));
         }
     }
 
-    private showGallery(): void {
+    private async showGallery(): Promise<void> {
         this.shownAddress = "";
         document.body.classList.remove("playing", "drawer");
         document.title = "Sinew playground";
         this.stage?.player.pause();
         const hadFocus = byId("player").contains(document.activeElement) || document.activeElement === document.body;
         byId("player").hidden = true;
-        this.gallery.show(true);
-        if (hadFocus && this.opened) this.gallery.focus(this.opened.name);
+        const gallery = await this.loadGallery();
+        if (!byId("player").hidden) return; // a scene was opened meanwhile
+        gallery.show(true);
+        if (hadFocus && this.opened) gallery.focus(this.opened.name);
+    }
+
+    /** The gallery and the catalogue come when they are first shown. */
+    private async loadGallery(): Promise<Gallery> {
+        const [{ Gallery }, scenes] = await Promise.all([import("./gallery.js"), loadScenes()]);
+        this.gallery ??= new Gallery(scenes, this.engine.module, {
+            blank: () => void this.openText(blankScene, "new scene"),
+            file: () => this.chooseFile(),
+        });
+        this.scenes = scenes;
+        return this.gallery;
     }
 
     private async open({ scene, text, name, pairs }: Address): Promise<void> {
-        const known = this.scenes.find(({ name }) => name === scene);
-        if (text === undefined && !known) throw new Error(`No scene is called "${scene}".`);
-        const own = text ?? known!.text;
-        const about = text === undefined ? known! : aboutOf(own);
+        const own = text ?? await sceneText(scene!);
+        if (own === undefined) throw new Error(`No scene is called "${scene}".`);
         const isSplit = pairs.includes(both), overrides = pairs.filter((pair) => pair !== both);
-        await provide(this.engine, own, overrides);
-        this.show({ name: text === undefined ? known!.name : name ?? unnamed, text: own, isOfCatalogue: text === undefined, pairs: overrides, about: about.about, source: about.source });
+        await provide(this, own, overrides);
+        this.show({ name: text === undefined ? scene! : name ?? unnamed, text: own, isOfCatalogue: text === undefined, pairs: overrides, ...aboutOf(own) });
         this.split(isSplit);
     }
 
     /** Opens a scene from a text that is not in the address: a file, the clipboard. */
     async openText(text: string, name: string): Promise<void> {
         try {
-            await provide(this.engine, text);
+            await provide(this, text);
             this.show({ name: name.replace(/\.json$/, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) });
             await this.writeAddress();
         } catch (error) {
@@ -116,7 +125,7 @@ export class App {
 
     private show(opened: Opened): void {
         const fromGallery = byId("gallery").contains(document.activeElement);
-        this.gallery.show(false);
+        this.gallery?.show(false);
         byId("player").hidden = false;
         if (fromGallery) byId("stage").focus({ preventScroll: true }); // else the focus is lost with the card
         document.body.classList.add("playing");
@@ -188,7 +197,7 @@ export class App {
 
     private applyTheme(): void {
         applyTheme();
-        if (!byId("gallery").hidden) this.gallery.show(true);
+        if (!byId("gallery").hidden) this.gallery?.show(true);
         this.stage?.player.setTheme(theme());
         this.stage?.wake();
         if (this.panel) this.refresh();
@@ -312,9 +321,9 @@ export class App {
     }
 
     /** Opens the neighbour in the catalogue. */
-    openNeighbour(by: number): void {
-        const index = this.scenes.findIndex(({ name }) => name === this.opened?.name);
-        const next = this.scenes[(index + by + this.scenes.length) % this.scenes.length];
+    async openNeighbour(by: number): Promise<void> {
+        const scenes = await loadScenes(), index = scenes.findIndex(({ name }) => name === this.opened?.name);
+        const next = scenes[(index + by + scenes.length) % scenes.length];
         if (next) location.hash = `#scene=${next.name}`;
     }
 

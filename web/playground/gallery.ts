@@ -33,8 +33,8 @@ export class Gallery {
     private kind = "";
     private readonly thumbnails: Thumbnails;
 
-    constructor(scenes: CatalogueScene[], { blank, file }: GalleryActions) {
-        this.thumbnails = new Thumbnails(scenes);
+    constructor(scenes: CatalogueScene[], module: WebAssembly.Module, { blank, file }: GalleryActions) {
+        this.thumbnails = new Thumbnails(scenes, module);
         const kinds = [...new Set(scenes.map((scene) => scene.category))], first = best.flatMap((name) => scenes.find((scene) => scene.name === name) ?? []);
         const rest = scenes.filter((scene) => !first.includes(scene));
         for (const kind of ["", ...kinds]) this.kinds.set(kind, el("button", { type: "button", "aria-pressed": String(kind === ""), onclick: () => this.choose(kind) }, kind || "all"));

@@ -12,8 +12,8 @@ stayFresh();
 workOffline("./sw.js");
 
 try {
-    const { engine, scenes, assets } = await loadEngine(usefulThreads());
-    const app = new App(engine, scenes, assets);
+    const { engine, assets } = await loadEngine(usefulThreads());
+    const app = new App(engine, assets);
     Object.assign(window, { sinew: app }); // for the browser's console
     await app.follow(location.hash);
 } catch (error) {

@@ -55,7 +55,7 @@ export class TextTab {
         const editor = await this.editor, { text } = editor;
         if (text === this.shown) return;
         this.shown = text;
-        await provide(this.engine, text);
+        await provide(this.stage, text);
         const errors = this.take(text);
         editor.mark(errors);
         this.problems.replaceChildren(...errors.map((error) => this.problem(error, editor)));

@@ -10,8 +10,8 @@ export class Thumbnails {
         for (const entry of entries) this.see(entry.target as HTMLCanvasElement, entry.isIntersecting);
     }, { rootMargin: "80px" });
 
-    constructor(scenes: CatalogueScene[]) {
-        this.send({ order: "begin", scenes });
+    constructor(scenes: CatalogueScene[], module: WebAssembly.Module) {
+        this.send({ order: "begin", scenes, module });
         this.worker.addEventListener("message", ({ data }: MessageEvent<{ drawn: string; modes: number }>) => {
             for (const [canvas, name] of this.names) if (name === data.drawn) this.drawn(canvas as HTMLCanvasElement, data.modes);
         });

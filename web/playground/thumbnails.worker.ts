@@ -3,7 +3,7 @@ import { context2d } from "../common/context.js";
 import { Assets, type Loaded } from "../common/engine.js";
 
 export type Order =
-    | { order: "begin"; scenes: CatalogueScene[] }
+    | { order: "begin"; scenes: CatalogueScene[]; module: WebAssembly.Module }
     | { order: "open"; name: string; canvas: OffscreenCanvas }
     | { order: "see"; name: string; visible: boolean }
     | { order: "prefer"; name: string }
@@ -32,14 +32,20 @@ const slice = 8; // milliseconds of work before the page gets its turn
 const tick = 33; // milliseconds between slices
 
 const thumbnails = new Map<string, Thumbnail>();
-let begin: (scenes: CatalogueScene[]) => void = () => {};
-/** The catalogue comes from the page, which has it already. */
-const loading: Promise<Loaded> = Promise.all([load(), new Promise<CatalogueScene[]>((resolve) => (begin = resolve))])
-    .then(([engine, scenes]) => ({ engine, scenes, assets: new Assets(scenes) }));
+interface Begun extends Loaded {
+    scenes: CatalogueScene[];
+}
+let begin: (begun: Promise<Begun>) => void = () => {};
+const loading = new Promise<Begun>((resolve) => (begin = resolve));
+
+/** The catalogue and the module come from the page, which has them already. */
+async function begun(scenes: CatalogueScene[], module: WebAssembly.Module): Promise<Begun> {
+    return { engine: await load(module), scenes, assets: new Assets() };
+}
 let isRunning = false, isStill = false, isQueued = false, theme = "light", preferred = "";
 
 self.addEventListener("message", ({ data }: MessageEvent<Order>) => {
-    if (data.order === "begin") begin(data.scenes);
+    if (data.order === "begin") begin(begun(data.scenes, data.module));
     if (data.order === "open") open(data);
     if (data.order === "see") {
         const known = thumbnails.get(data.name);
@@ -107,6 +113,7 @@ async function start(one: Thumbnail): Promise<void> {
     const { engine, scenes, assets } = await loading;
     one.scene ??= scenes.find(({ name }) => name === one.name) ?? null;
     if (!one.scene) return;
+    await assets.prepare(one.scene.text);
     await assets.giveTo(one.painter, one.scene.text);
     one.simulation?.dispose();
     one.simulation = engine.open(one.scene.text, optionsOf(one.scene.text, assets));

@@ -80,8 +80,7 @@ export class Engine {
         try {
             return work(this);
         } catch (error) {
-            const isOther = error instanceof SceneErrors && error.errors.some(({ path }) => path === "/solver/precision");
-            if (!this.float || !isOther) throw error;
+            if (!this.float || !(error instanceof SceneErrors && error.isOfOtherPrecision)) throw error;
             return work(this.float);
         }
     }

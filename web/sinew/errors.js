@@ -14,6 +14,11 @@ export class SceneErrors extends Error {
         this.name = "SceneErrors";
         this.errors = errors;
     }
+
+    /** The scene's numbers are of the precision of another module. */
+    get isOfOtherPrecision() {
+        return this.errors.some(({ path }) => path === "/solver/precision");
+    }
 }
 
 /** Values of sinew_status in bindings/c/sinew.h. */

@@ -140,6 +140,8 @@ export interface SceneError {
 /** Thrown for a scene with errors. */
 export class SceneErrors extends Error {
     errors: SceneError[];
+    /** The scene's precision is that of another module: see loadFloat. */
+    readonly isOfOtherPrecision: boolean;
 }
 
 /** Thrown for anything else: a closed object, an unknown name. */
@@ -186,6 +188,8 @@ export interface Engine {
     actions(): { name: string; key: string; about: string }[];
     /** Kinds of constraints of a dimension, in the order of their numbers. */
     kinds(dimension: 2 | 3): { name: string; particles: number }[];
+    /** The compiled module, for `load` in a worker: it is neither fetched nor compiled again. */
+    readonly module: WebAssembly.Module;
     /** Bytes of WebAssembly memory. */
     readonly bytes: number;
 }

@@ -41,9 +41,9 @@ const mayShareMemory = () => typeof SharedArrayBuffer !== "undefined" && (isNode
 async function loadOf(precision, source, { threads = 1 } = {}) {
     const count = mayShareMemory() ? threads : 1;
     const module = await compiled(source ?? modules[precision][count > 1 ? 1 : 0]);
-    if (!WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory"))
-        return new Engine(await WebAssembly.instantiate(module, {}));
-    return startThreads(module, count);
+    const hasMemory = !WebAssembly.Module.imports(module).some(({ kind }) => kind === "memory");
+    const engine = hasMemory ? new Engine(await WebAssembly.instantiate(module, {})) : await startThreads(module, count);
+    return Object.assign(engine, { module });
 }
 
 export async function load(source, options) {

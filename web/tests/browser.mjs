@@ -16,7 +16,7 @@ export const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, is
 
 /** Serves a folder below a path of its own, as a host of many sites would. A folder without index.html gets an empty page. */
 async function serve(root, headers) {
-    const base = "/some/where/";
+    const base = "/some/where/", sent = [];
     const server = createServer(async (request, response) => {
         const { pathname } = new URL(request.url, "http://host");
         const name = pathname.endsWith("/") ? `${pathname}index.html` : pathname;
@@ -26,13 +26,14 @@ async function serve(root, headers) {
             const isCompressed = /\bbr\b/.test(request.headers["accept-encoding"] ?? "") && existsSync(`${file}.br`);
             const body = pathname === base && !existsSync(file) ? "<!doctype html><link rel=icon href=data:,>" : await readFile(isCompressed ? `${file}.br` : file);
             const type = types[path.extname(name)] ?? "application/octet-stream";
+            sent.push({ name, bytes: body.length });
             response.writeHead(200, { "content-type": type, ...(isCompressed ? { "content-encoding": "br" } : {}), ...headers }).end(body);
         } catch {
             response.writeHead(404).end();
         }
     });
     await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-    return { address: `http://127.0.0.1:${server.address().port}${base}`, close: () => { server.closeAllConnections(); server.close(); } };
+    return { address: `http://127.0.0.1:${server.address().port}${base}`, sent, close: () => { server.closeAllConnections(); server.close(); } };
 }
 
 /** A browser and a server for the tests of a file: `using` closes neither, so end it in `after`. */

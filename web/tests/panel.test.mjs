@@ -1,6 +1,7 @@
 // The panel: sliders of the declared parameters, overlays, graphs of energy and stretch.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { catalogue } from "../sinew/index.js";
 import { desktop, playing, visit } from "./browser.mjs";
 
 let site;
@@ -12,8 +13,8 @@ const value = (page, path) => page.evaluate((path) => window.sinew.stage.player.
 test("every number that a scene states has a slider, which sets it", () =>
     site.on(desktop, "#scene=rope", async (page) => {
         await playing(page);
-        const stated = await page.evaluate(() => window.sinew.scenes.find(({ name }) => name === "rope").parameters
-            .filter(({ type }) => type === "number" || type === "integer").map(({ path }) => path));
+        const { parameters } = (await catalogue()).find(({ name }) => name === "rope");
+        const stated = parameters.filter(({ type }) => type === "number" || type === "integer").map(({ path }) => path);
         assert.ok(stated.length >= 5);
         const sliders = await page.locator("#page-parameters input[type=range]").count();
         assert.ok(sliders >= stated.length, `${sliders} sliders for ${stated.length} numbers`);

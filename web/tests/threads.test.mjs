@@ -44,7 +44,7 @@ function stepped(large) {
 /** The same of a site as it is served. */
 async function measured(site) {
     let state;
-    await site.on({ ...desktop, script }, "#scene=rope", async (page) => {
+    await site.on({ ...desktop, script }, "#scene=rope&precision=float", async (page) => { // both modules are loaded
         await playing(page);
         state = await page.evaluate(stepped, large);
     });
