@@ -58,6 +58,10 @@ std::uint64_t number_of(const ConstraintId& id) {
     return number_of(std::uint32_t(id.kind) * max_slots + id.id.index, id.id.generation);
 }
 
+sinew_status callback_is_running() {
+    return fail(SINEW_READ_ONLY, "a callback must not change the simulation that calls it");
+}
+
 ConstraintId constraint_of(std::uint64_t number) {
     const auto slot = std::uint32_t(number);
     return {int(slot / max_slots), {slot % max_slots, std::uint32_t(number >> 32)}};
@@ -67,6 +71,22 @@ ConstraintId constraint_of(std::uint64_t number) {
 
 using namespace sinew;
 using namespace sinew::c;
+
+namespace {
+
+/// Takes the steps of work(session), with the caller's filter of contacts if there is one.
+template <class Work> sinew_status advance(sinew_simulation handle, const Work& work) {
+    const auto* simulation = simulations().find(handle.id);
+    return change(handle, [&](Session& session) {
+        if (simulation->filtered)
+            simulation->filtered(session, [&] { work(session); });
+        else
+            work(session);
+        return SINEW_OK;
+    });
+}
+
+} // namespace
 
 extern "C" {
 
@@ -141,6 +161,7 @@ sinew_status sinew_close(sinew_simulation simulation) {
     const auto* known = simulations().find(simulation.id);
     if (!known) return bad_handle();
     if (!known->own) return fail(SINEW_READ_ONLY, "the simulation is closed with its player");
+    if (known->is_asking) return callback_is_running();
     simulations().remove(simulation.id);
     return SINEW_OK;
 }
@@ -155,18 +176,14 @@ sinew_status sinew_restart(sinew_simulation simulation) {
 }
 
 sinew_status sinew_step(sinew_simulation simulation, uint32_t count) {
-    return change(simulation, [&](Session& session) {
+    return advance(simulation, [&](Session& session) {
         for (std::uint32_t i = 0; i < count; ++i) session.step();
-        return SINEW_OK;
     });
 }
 
 sinew_status sinew_run_until(sinew_simulation simulation, double seconds) {
     if (!std::isfinite(seconds)) return fail(SINEW_BAD_ARGUMENT, "the time is not finite");
-    return change(simulation, [&](Session& session) {
-        session.run_until(seconds);
-        return SINEW_OK;
-    });
+    return advance(simulation, [&](Session& session) { session.run_until(seconds); });
 }
 
 // --- the scene -------------------------------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "player/play.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,12 +39,18 @@ struct Simulation {
     std::vector<double> numbers{};         ///< last column of computed numbers handed out
     std::vector<sinew_contact> contacts{}; ///< as last counted
     std::shared_ptr<UserData> user_data{}; ///< none before the first
+    /// Takes steps with the caller's filter of contacts; none: all contacts act.
+    std::function<void(const Session&, const std::function<void()>& steps)> filtered{};
+    bool is_asking = false; ///< a callback of the caller's is running
 
     /// Null if the player has no such pane.
     const Session* session() const;
 };
 
 Handles<Simulation>& simulations();
+
+/// Status of changes that a callback of a step asks for.
+sinew_status callback_is_running();
 
 /// Calls work(simulation, session) with a const session and returns its status; fails for an unknown handle.
 template <class Work> sinew_status read(sinew_simulation handle, const Work& work) {
@@ -57,6 +64,7 @@ template <class Work> sinew_status change(sinew_simulation handle, const Work& w
     auto* simulation = simulations().find(handle.id);
     if (!simulation || !simulation->session()) return bad_handle();
     if (!simulation->own) return fail(SINEW_READ_ONLY, "the simulation belongs to a player, which alone may change it");
+    if (simulation->is_asking) return callback_is_running();
     return work(*simulation->own);
 }
 

@@ -316,6 +316,30 @@ SINEW_API sinew_status sinew_list_contacts(sinew_simulation simulation, uint32_t
 SINEW_API sinew_status sinew_contact_count(sinew_simulation simulation, uint32_t* count);
 SINEW_API sinew_status sinew_contact_at(sinew_simulation simulation, uint32_t index, sinew_contact* contact);
 
+/* A contact that is about to act in a substep: of a particle, or of a link by its first end. */
+typedef struct sinew_pending_contact {
+    uint32_t struct_size; /* of the library */
+    uint32_t figure;      /* ~0: a loose particle */
+    sinew_particle particle;
+    sinew_particle other;    /* of the other figure; SINEW_NO_ID: a collider or a plane is touched */
+    sinew_collider collider; /* SINEW_NO_ID: a figure or a plane is touched */
+    uint32_t other_figure;   /* ~0: a collider or a plane is touched */
+    uint32_t reserved;
+    sinew_point normal; /* unit length, towards `particle` */
+    double gap;         /* at the start of the substep, length; negative for an overlap */
+    double speed;       /* of approach along the normal, before the contact acts */
+    double friction;    /* may be changed: Coulomb's coefficient, >= 0 */
+    double bounce;      /* may be changed: 0 to 1 */
+} sinew_pending_contact;
+/* Returns 0 for a contact that is not to act in this substep; it is then no touch. Must not change the simulation that
+ * calls it, for which SINEW_READ_ONLY is returned; user data may be read. */
+typedef int (*sinew_contact_filter)(void* context, sinew_pending_contact* contact);
+/* Null: all contacts act. The filter is asked in every substep of sinew_step and sinew_run_until, in the order of rows
+ * and in the caller's thread, which then takes the steps alone: the same answers give the same bits. Not asked are
+ * faces of cloth, sensors, and classic mode; what sleeps is not asked about. Copies have no filter. */
+SINEW_PROGRAM_API sinew_status sinew_set_contact_filter(sinew_simulation simulation, sinew_contact_filter filter,
+                                                        void* context);
+
 /* --- queries ----------------------------------------------------------------------------------------------------- */
 
 /* Nearest particle whose surface is within `reach` of a point; `distance` (may be null) is from the surface, negative

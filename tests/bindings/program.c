@@ -214,6 +214,61 @@ static void hooks_are_called(void) {
     sinew_set_parallel(NULL, NULL);
 }
 
+/* A filter's caller: a platform that nothing touches. */
+struct level {
+    sinew_simulation world;
+    sinew_collider platform;
+    sinew_particle ball;
+    int asked, of_ball, refused_changes;
+};
+static int all_but_platform(void* context, sinew_pending_contact* contact) {
+    struct level* level = context;
+    void* data = NULL;
+    CHECK(contact->struct_size == sizeof *contact && contact->other == SINEW_NO_ID);
+    CHECK(fabs(fabs(contact->normal.y) - 1) < 1e-9); /* down for a ball in the lower half of the platform */
+    CHECK(fabs(contact->friction - 0.4) < 1e-9);
+    CHECK(sinew_get_user_data(level->world, SINEW_OF_PARTICLE, contact->particle, &data) == SINEW_OK);
+    level->of_ball += data == level;
+    level->refused_changes += sinew_close(level->world) == SINEW_READ_ONLY &&
+                              sinew_step(level->world, 1) == SINEW_READ_ONLY &&
+                              sinew_set_contact_filter(level->world, NULL, NULL) == SINEW_READ_ONLY;
+    ++level->asked;
+    return contact->collider != level->platform;
+}
+
+static void contacts_are_filtered(void) {
+    struct level level = {.world = created()};
+    sinew_collider ground;
+    uint32_t count = 9;
+    const sinew_collider_spec floor = {.struct_size = sizeof floor, .position = {0, -3, 0}, .friction = 0.4};
+    const sinew_collider_spec platform = {
+        .struct_size = sizeof platform, .shape = SINEW_BOX, .half = {2, 0.1, 0}, .friction = 0.4};
+    const sinew_figure_spec spec = {.struct_size = sizeof spec, .prefab = "ball", .position = {0, 1, 0}};
+    CHECK(sinew_add_collider(level.world, &floor, &ground) == SINEW_OK);
+    CHECK(sinew_add_collider(level.world, &platform, &level.platform) == SINEW_OK);
+    CHECK(sinew_add_figure(level.world, &spec, NULL) == SINEW_OK);
+    CHECK(sinew_particle_at(level.world, 0, &level.ball) == SINEW_OK);
+    CHECK(sinew_set_user_data(level.world, SINEW_OF_PARTICLE, level.ball, &level) == SINEW_OK);
+    CHECK(sinew_step(level.world, 60) == SINEW_OK && height_of(level.world, level.ball) > 0.1);
+
+    CHECK(sinew_set_contact_filter(level.world, all_but_platform, &level) == SINEW_OK);
+    CHECK(sinew_step(level.world, 30) == SINEW_OK);
+    CHECK(sinew_contact_count(level.world, &count) == SINEW_OK && count == 0);
+    CHECK(sinew_run_until(level.world, 4) == SINEW_OK);
+    CHECK(height_of(level.world, level.ball) < -2 && height_of(level.world, level.ball) > -3);
+    CHECK(sinew_contact_count(level.world, &count) == SINEW_OK && count == 1);
+    CHECK(level.asked > 0 && level.of_ball == level.asked && level.refused_changes == level.asked);
+
+    const int before = level.asked;
+    sinew_simulation copy;
+    CHECK(sinew_copy(level.world, &copy) == SINEW_OK && sinew_step(copy, 5) == SINEW_OK);
+    CHECK(sinew_close(copy) == SINEW_OK && level.asked == before);
+    CHECK(sinew_set_contact_filter(level.world, NULL, NULL) == SINEW_OK && sinew_step(level.world, 5) == SINEW_OK);
+    CHECK(level.asked == before);
+    CHECK(sinew_set_contact_filter((sinew_simulation){12345}, all_but_platform, NULL) == SINEW_BAD_HANDLE);
+    CHECK(sinew_close(level.world) == SINEW_OK);
+}
+
 static uint32_t little(const uint8_t* bytes) {
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
@@ -268,6 +323,7 @@ int main(void) {
     user_data_belongs_to_an_object();
     everything_is_drawn();
     hooks_are_called();
+    contacts_are_filtered();
     files_are_bytes();
     if (failures == 0) printf("all right\n");
     return failures != 0;

@@ -3,6 +3,7 @@
 #include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/contact/wall_surface.h"
+#include "sinew/solver/contact_hook.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/substep_mover.h"
 
@@ -35,14 +36,38 @@ template <int D, class Real> class PlaneContact {
     /// substep after the impact is the way back. Blows are recorded for rebound(), those without restitution too: a
     /// blow is over at the end of a substep. `collider`: 1 + its index, or 0. Returns the normal correction.
     Real keep_in(const HalfSpace<D, Real>& plane, Row slot, std::uint32_t collider) const {
-        return keep_in(plane, slot, {}, std::nullopt, collider);
+        if (!is_held(slot)) return 0;
+        auto surface = surface_between(world_, swept_.row_of[slot], plane);
+        if (hook_ && plane.depth_of(mover_.point_at(slot), p_.radius[swept_.row_of[slot]]) > Real(0) &&
+            !is_admitted(plane, slot, {}, PendingContact::none, surface))
+            return 0;
+        return keep_in(plane, surface, slot, {}, std::nullopt, collider);
+    }
+    /// True if walls hold the particle here, not rows of contact.
+    bool is_held(Row slot) const { return swept_.mobility[slot] != Real(0) && !(by_rows_ && by_rows_[slot]); }
+    /// The program's answer about a particle that a surface is about to hold, which may change how both rub and bounce.
+    bool is_admitted(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement, Row collider,
+                     WallSurface<Real>& surface) const {
+        if (!hook_) return true;
+        const auto motion = swept_.displacement_at(slot) - surface_displacement;
+        PendingContact contact{.particle = swept_.row_of[slot],
+                               .collider = collider,
+                               .gap = -double(plane.depth_of(swept_.position_at(slot), p_.radius[swept_.row_of[slot]])),
+                               .speed = -double(dot(plane.normal, motion) * mover_.per_h),
+                               .friction = double(surface.friction),
+                               .restitution = double(surface.restitution)};
+        for (int k = 0; k < D; ++k) contact.normal[std::size_t(k)] = double(plane.normal[k]);
+        if (!hook_->admits(hook_->context, contact)) return false;
+        contact.clamp();
+        surface = {Real(contact.restitution), Real(contact.friction)};
+        return true;
     }
     /// Same for a surface that moves; `begun` is the depth at the start of the substep, unless the plane itself tells.
-    Real keep_in(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement,
-                 std::optional<Real> begun, std::uint32_t collider) const {
-        if (swept_.mobility[slot] == Real(0) || (by_rows_ && by_rows_[slot])) return 0;
+    Real keep_in(const HalfSpace<D, Real>& plane, const WallSurface<Real>& surface, Row slot,
+                 const Vec<D, Real>& surface_displacement, std::optional<Real> begun, std::uint32_t collider) const {
+        if (!is_held(slot)) return 0;
         const Row row = swept_.row_of[slot];
-        const auto [restitution, friction] = surface_between(world_, row, plane);
+        const auto [restitution, friction] = surface;
         Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
         if (!(depth > Real(0))) return 0;
         if (!begun) begun = plane.depth_of(swept_.position_at(slot), p_.radius[row]);
@@ -95,6 +120,7 @@ template <int D, class Real> class PlaneContact {
     SweepState<D, Real>& swept_;
     SubstepMover<D, Real>& mover_;
     const char* by_rows_; ///< per slot: held by rows of contact instead
+    const ContactHook* hook_ = contact_hook();
 };
 
 } // namespace sinew::detail

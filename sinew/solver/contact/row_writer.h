@@ -2,6 +2,7 @@
 
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/contact/row_solver.h"
+#include "sinew/solver/contact_hook.h"
 
 namespace sinew::detail {
 
@@ -19,6 +20,7 @@ template <int D, class Real> class RowWriter {
     ContactPart<D, Real>& part_;
     Real h_;
     RowSolver<D, Real> rows_{state_, max_displacement(h_)};
+    const ContactHook* hook_ = contact_hook();
     static constexpr Real share_of_deep = Origin::share_of_deep;
     static constexpr std::size_t most_held = 256; ///< in a part: the cost of each grows with its figure
 
@@ -62,6 +64,8 @@ template <int D, class Real> class RowWriter {
     }
     bool admit(ContactRowT& row, Origin& origin, Real response, Real approach, Real slack) {
         if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
+        origin.approach = approach;
+        if (hook_ && !is_admitted(row, origin)) return false;
         std::uint32_t component = 0;
         for (int i = 0; i < row.members; ++i) {
             const auto slot = row.slot[std::size_t(i)];
@@ -74,7 +78,6 @@ template <int D, class Real> class RowWriter {
         row.arm = arm_of(row, origin);
         row.is_central = row.keeps && row.members > 1 && rows_.is_central(row);
         row.mass = Real(1) / response;
-        origin.approach = approach;
         row.tangent -= row.normal * dot(row.normal, row.tangent);
         part_.rows.push_back(row);
         part_.origins.push_back(origin);
@@ -82,6 +85,25 @@ template <int D, class Real> class RowWriter {
         const Real ahead = D == 3 && row.members == 4 ? Real(2) * absolute(approach) : Real(0); // links that cross
         if (row.keeps && row.gap - ahead < Real(-0.5) * origin.deep)
             part_.deep.push_back(std::uint32_t(part_.rows.size() - 1));
+        return true;
+    }
+
+  private:
+    /// The program's answer, which may change friction and restitution.
+    bool is_admitted(ContactRowT& row, Origin& origin) const {
+        PendingContact contact{.particle = state_.row_of[row.slot[0]],
+                               .gap = double(row.gap),
+                               .speed = double(origin.approach / h_),
+                               .friction = double(row.friction),
+                               .restitution = double(origin.restitution)};
+        for (std::size_t i = row.members; i-- > 0;)
+            if (row.weight[i] < Real(0)) contact.other = state_.row_of[row.slot[i]];
+        if (contact.other == PendingContact::none && origin.collider < world_.colliders.size())
+            contact.collider = origin.collider;
+        for (int k = 0; k < D; ++k) contact.normal[std::size_t(k)] = double(row.normal[k]);
+        if (!hook_->admits(hook_->context, contact)) return false;
+        contact.clamp();
+        row.friction = Real(contact.friction), origin.restitution = Real(contact.restitution);
         return true;
     }
 };

@@ -1,0 +1,59 @@
+#include "sinew/solver/contact_hook.h"
+
+#include "bindings/c/simulation.h"
+
+#include <utility>
+
+/// Contacts filtered and changed by the caller.
+using namespace sinew;
+using namespace sinew::c;
+
+namespace {
+
+template <class WorldT> sinew_pending_contact in_c(const WorldT& world, const PendingContact& contact) {
+    const auto& particles = world.particles;
+    const auto of_row = [&](Row row) {
+        return row == PendingContact::none ? SINEW_NO_ID : number_of(particles.handles.id_of(row));
+    };
+    const auto figure_of = [&](Row row) { return row == PendingContact::none ? no_figure : particles.figure[row]; };
+    return {.struct_size = sizeof(sinew_pending_contact),
+            .figure = figure_of(contact.particle),
+            .particle = of_row(contact.particle),
+            .other = of_row(contact.other),
+            .collider = contact.collider == PendingContact::none
+                            ? SINEW_NO_ID
+                            : number_of(world.collider_handles.id_of(contact.collider)),
+            .other_figure = figure_of(contact.other),
+            .reserved = 0,
+            .normal = {contact.normal[0], contact.normal[1], contact.normal[2]},
+            .gap = contact.gap,
+            .speed = contact.speed,
+            .friction = contact.friction,
+            .bounce = contact.restitution};
+}
+
+} // namespace
+
+extern "C" {
+
+sinew_status sinew_set_contact_filter(sinew_simulation simulation, sinew_contact_filter filter, void* context) {
+    auto* known = simulations().find(simulation.id);
+    return change(simulation, [&](Session&) {
+        known->filtered = {};
+        if (!filter) return SINEW_OK;
+        known->filtered = [known, filter, context](const Session& session, const std::function<void()>& steps) {
+            const ContactFilter asks([&](PendingContact& contact) {
+                auto given = std::visit([&](const auto& world) { return in_c(world, contact); }, session.world());
+                const bool before = std::exchange(known->is_asking, true);
+                const bool admits = filter(context, &given) != 0;
+                known->is_asking = before;
+                contact.friction = given.friction, contact.restitution = given.bounce;
+                return admits;
+            });
+            steps();
+        };
+        return SINEW_OK;
+    });
+}
+
+} // extern "C"

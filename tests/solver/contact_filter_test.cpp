@@ -1,0 +1,146 @@
+#include "sinew/solver/contact_hook.h"
+
+#include "tests/crates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+/// The program's word on contacts.
+namespace sinew::SINEW_TEST_FILE {
+namespace {
+
+using World2 = test::Stepped<2, double>;
+
+ColliderId add_slab(World2& world, double y, double turn = 0, double friction = 0.5) {
+    return add_collider(world, collide::Collider<2, double>{
+                                   .shape = collide::Box<2, double>{{{20, 0.2}}},
+                                   .target = {.position = {0, y}, .rotation = collide::Rotation<2, double>::of(turn)},
+                                   .friction = friction});
+}
+ParticleId add_stone(World2& world, double x, double y) {
+    return add_particle(world, {.position = {{x, y}}, .radius = 0.1});
+}
+double height(const World2& world, ParticleId id) {
+    return (*position_of(world, id))[1];
+}
+
+/// A loose particle is swept, a crate is held by rows.
+TEST(ContactFilter, RefusedColliderIsNotThere) {
+    World2 world;
+    test::add_ground(world);
+    add_slab(world, 2);
+    const auto stone = add_stone(world, -2, 3);
+    const auto crate = test::add_crate(world, 2, 3, 0.5, 1);
+    auto kept = world;
+    test::run(kept, 1.2);
+    EXPECT_NEAR(height(kept, stone), 2.2, 0.01);
+    EXPECT_NEAR(test::middle_of(kept, crate)[1], 2.35, 0.01);
+
+    const ContactFilter filter([](const PendingContact& contact) { return contact.collider != 0; });
+    test::run(world, 1.2);
+    EXPECT_NEAR(height(world, stone), 0.1, 0.01);
+    EXPECT_NEAR(test::middle_of(world, crate)[1], 0.25, 0.01);
+    EXPECT_TRUE(
+        std::ranges::none_of(world.contacts.touching, [](const auto& touch) { return !is_plane(touch.collider); }));
+}
+
+/// Each crate lies on the ground, in the other one's place.
+TEST(ContactFilter, RefusedFiguresPassThroughEachOther) {
+    World2 world;
+    test::add_ground(world);
+    const auto low = test::add_crate(world, 0, 0.25, 0.5, 1), high = test::add_crate(world, 0.1, 1, 0.5, 1);
+    auto kept = world;
+    test::run(kept, 0.8);
+    EXPECT_NEAR(test::middle_of(kept, high)[1], 0.75, 0.01);
+
+    const ContactFilter filter([](const PendingContact& contact) { return contact.other == PendingContact::none; });
+    test::run(world, 0.8);
+    EXPECT_NEAR(test::middle_of(world, low)[1], 0.25, 0.01);
+    EXPECT_NEAR(test::middle_of(world, high)[1], 0.25, 0.01);
+}
+
+/// s = g sin(a) t^2 / 2 without friction; with friction 1 at 30 degrees nothing slides, since tan a < 1.
+TEST(ContactFilter, FrictionIsThatOfTheProgram) {
+    constexpr double angle = std::numbers::pi / 6, seconds = 1;
+    for (const double friction : {0.0, 1.0}) {
+        World2 world;
+        test::fall(world, 10);
+        add_slab(world, 0, -angle, 1 - friction);
+        const double above = (0.1 + 0.1) / std::cos(angle);
+        const auto stone = add_stone(world, 0, above);
+        const auto crate =
+            test::add_crate(world, -3, 3 * std::tan(angle) + (0.1 + 0.25) / std::cos(angle), 0.5, 1, -angle);
+        const auto from = *position_of(world, stone), crate_from = test::middle_of(world, crate);
+        const ContactFilter filter([&](PendingContact& contact) {
+            contact.friction = friction;
+            return true;
+        });
+        test::run(world, seconds);
+        const double way = friction > 0 ? 0 : 10 * std::sin(angle) * seconds * seconds / 2;
+        EXPECT_NEAR(norm(test::middle_of(world, crate) - crate_from), way, 0.02) << friction;
+        if (friction > 0) continue; // the stone would roll
+        EXPECT_NEAR(norm(*position_of(world, stone) - from), way, 0.02);
+    }
+}
+
+/// 5000 particles are worth several threads (workers.h), where the filter asks in one.
+TEST(ContactFilter, AsksInTheOrderOfRowsWhateverTheThreads) {
+    const auto asked = [](int threads) {
+        World2 world;
+        world.settings.substeps = 2;
+        test::add_ground(world);
+        for (int i = 0; i < 5000; ++i) add_stone(world, 0.3 * i, 0.09 + 0.0004 * (i % 20));
+        world.solver.options.threads = threads;
+        std::vector<Row> rows;
+        const ContactFilter filter([&](const PendingContact& contact) {
+            rows.push_back(contact.particle);
+            return contact.particle % 3 != 0;
+        });
+        test::run(world, 1.0 / 60);
+        return std::pair{rows, state_hash(world)};
+    };
+    const auto alone = asked(1);
+    EXPECT_GE(alone.first.size(), 5000U);
+    EXPECT_EQ(alone, asked(4));
+}
+
+TEST(ContactFilter, EndsWithItsScope) {
+    int asked = 0;
+    {
+        const ContactFilter outer([&](const PendingContact&) { return ++asked > 0; });
+        {
+            const ContactFilter inner([](const PendingContact&) { return false; });
+        }
+        World2 world;
+        test::add_ground(world);
+        add_stone(world, 0, 0.1);
+        test::run(world, 0.1);
+        EXPECT_GT(asked, 0);
+    }
+    const int before = asked;
+    World2 world;
+    test::add_ground(world);
+    const auto stone = add_stone(world, 0, 0.1);
+    test::run(world, 0.1);
+    EXPECT_EQ(asked, before);
+    EXPECT_NEAR(height(world, stone), 0.1, 1e-3);
+}
+
+/// Numbers out of range count as the nearest end of it, a NaN as 0.
+TEST(ContactFilter, WrongNumbersDoNoHarm) {
+    World2 world;
+    test::add_ground(world);
+    const auto stone = add_stone(world, 0, 0.5);
+    const ContactFilter filter([](PendingContact& contact) {
+        contact.friction = std::nan(""), contact.restitution = 1e300;
+        return true;
+    });
+    test::run(world, 2);
+    EXPECT_TRUE(std::isfinite(height(world, stone)));
+    EXPECT_LE(height(world, stone), 0.51);
+}
+
+} // namespace
+} // namespace sinew::SINEW_TEST_FILE
