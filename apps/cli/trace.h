@@ -3,12 +3,11 @@
 #include "sinew/session/session.h"
 
 #include "canvas/partial_file.h"
+#include "files/out/trace_rows.h"
 
-#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <vector>
 
 /// Positions and velocities of particles, frame by frame, in a file: `--trace FILE`.
 namespace sinew::cli {
@@ -29,25 +28,16 @@ class Trace {
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    struct ProjectedPiece {
-        ParticleId particle;
-        std::string name; ///< quoted for the file's format
-    };
 
     std::string path_;
     std::unique_ptr<canvas::PartialFile> partial_; ///< null for standard output, a device and a pipe
     std::unique_ptr<std::FILE, Close> file_;       ///< null for standard output
-    bool is_table_ = false;
+    files::TraceRows rows_;
     bool all_ = false; ///< true: particles added by tearing cloth are traced too
-    std::vector<ProjectedPiece> traced_;
     std::string text_; ///< rows of the present frame
 
     void open();
     void choose(const std::string& names, const Session& session);
-    void choose_all(const Session& session);
-    void trace(ParticleId particle, const Session& session);
-    void put_row(double time, const std::string& name, std::span<const double> position,
-                 std::span<const double> velocity);
     void flush();
 };
 

@@ -740,8 +740,9 @@ typedef struct sinew_export_spec {
     const char* follow;         /* of vectors: figure to keep in the middle; null: the scene's view */
     const char* caption;        /* of vectors: a line at the bottom; null: none */
 } sinew_export_spec;
-/* Begins a file. The ending of its name says the format: .glb, .pc2, .mdd, .obj, .ply, .svg or .json (Lottie). An .obj
- * or .ply holds a frame; a sequence has a place for the number, "silk-%04d.obj". `spec` may be null. */
+/* Begins a file. The ending of its name says the format: .glb, .pc2, .mdd, .obj, .ply, .svg, .json (Lottie), .csv or
+ * .jsonl (a trace). An .obj or .ply holds a frame; a sequence has a place for the number, "silk-%04d.obj". `spec` may
+ * be null. */
 SINEW_PROGRAM_API sinew_status sinew_export_begin(const char* name, const sinew_export_spec* spec,
                                                   sinew_export* handle);
 /* Adds the present moment of a simulation as the next frame: always the same simulation. Frames are 1 / fps apart. */

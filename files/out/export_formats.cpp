@@ -10,7 +10,7 @@ namespace {
 
 using enum FramesPerFile;
 
-constexpr std::array<ExportFormat, 13> formats{{
+constexpr std::array<ExportFormat, 15> formats{{
     {"glb", ".glb", all, false, 30, "glTF 2.0: nodes and meshes that move: Blender, three.js, engines", open_glb},
     {"pc2", ".pc2", all, false, 24, "a point cache, and its mesh (.obj): Blender, 3ds Max", open_pc2},
     {"mdd", ".mdd", all, false, 24, "a point cache, and its mesh (.obj): Blender, Maya, Houdini", open_mdd},
@@ -19,6 +19,8 @@ constexpr std::array<ExportFormat, 13> formats{{
     {"svg", ".svg", all, false, 30, "vectors that move (SMIL), in a loop: browsers", open_animated_svg},
     {"svg", ".svg", one, true, 30, "vectors", open_pictures},
     {"lottie", ".json", all, false, 30, "Lottie: vectors that move: web pages, apps", open_lottie},
+    {"csv", ".csv", all, false, 30, "a table: time, particle, position, velocity", open_trace_table},
+    {"trace", ".jsonl", all, false, 30, "the same, a JSON object a line", open_trace_lines},
     {"png", ".png", one, true, 30, "a picture; --background none: transparent", open_pictures},
     {"jpeg", ".jpg", one, true, 30, "a picture, lossy and never transparent", open_pictures},
     {"apng", ".apng", all, true, 30, "a looping film that may be transparent", open_alpha_film},

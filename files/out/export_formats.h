@@ -38,5 +38,7 @@ std::unique_ptr<Exporter> open_pc2(const ExportRequest&);
 std::unique_ptr<Exporter> open_mdd(const ExportRequest&);
 std::unique_ptr<Exporter> open_lottie(const ExportRequest&);
 std::unique_ptr<Exporter> open_pictures(const ExportRequest&);
+std::unique_ptr<Exporter> open_trace_table(const ExportRequest&);
+std::unique_ptr<Exporter> open_trace_lines(const ExportRequest&);
 
 } // namespace sinew::files

@@ -58,7 +58,7 @@ std::vector<std::uint32_t> vertices_of(const MeshFilm& film, std::span<const Mes
 }
 
 FaceMesh face_mesh(const MeshFilm& film, std::span<const MeshElement> faces, std::span<const int> materials) {
-    FaceMesh mesh{.vertices = vertices_of(film, faces), .triangles = {}, .parts = {}};
+    FaceMesh mesh{.vertices = vertices_of(film, faces), .triangles = {}, .parts = {}, .on_image = {}};
     for (const auto& face : faces) {
         Indices corners;
         add_triangles(film.form().corners_of(face), film, corners);
@@ -66,10 +66,13 @@ FaceMesh face_mesh(const MeshFilm& film, std::span<const MeshElement> faces, std
             corner = std::uint32_t(std::ranges::lower_bound(mesh.vertices, corner) - mesh.vertices.begin());
         mesh.triangles.insert(mesh.triangles.end(), corners.begin(), corners.end());
         const int material = materials[face.group];
-        if (mesh.parts.empty() || mesh.parts.back().material != material) mesh.parts.push_back({material, {}});
+        if (mesh.parts.empty() || mesh.parts.back().material != material)
+            mesh.parts.push_back({material, {}, film.form().group_of(face).image.has_value()});
         auto& indices = mesh.parts.back().indices;
         indices.insert(indices.end(), corners.begin(), corners.end());
     }
+    if (std::ranges::any_of(mesh.parts, [](const auto& part) { return part.has_texture; }))
+        for (const auto vertex : mesh.vertices) mesh.on_image.push_back(film.form().on_image[vertex]);
     return mesh;
 }
 
@@ -77,6 +80,7 @@ TriangleMesh posed(const FaceMesh& mesh, const MeshFilm& film, std::size_t frame
     TriangleMesh pose;
     for (const auto i : mesh.vertices) pose.positions.push_back(cast<float>(film.position(frame, i) - about));
     pose.normals = normals_of(pose.positions, mesh.triangles);
+    pose.on_image = mesh.on_image;
     return pose;
 }
 

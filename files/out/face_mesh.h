@@ -10,6 +10,7 @@ struct FaceMesh {
     std::vector<std::uint32_t> vertices;   ///< of the film, in order
     std::vector<std::uint32_t> triangles;  ///< corners, as indices into `vertices`
     std::vector<GltfDocument::Part> parts; ///< the same by material
+    std::vector<Vec2<float>> on_image;     ///< of each vertex, where parts have a texture; else empty
 };
 
 /// Vertices of elements, each once, in order.

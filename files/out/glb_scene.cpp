@@ -10,6 +10,7 @@
 #include "files/out/solids.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -27,8 +28,7 @@ class SceneWriter {
   public:
     SceneWriter(const MeshFilm& film, const GlbMotion& motion, std::vector<std::string>& notes)
         : film_(film), tolerance_(motion.tolerance), joints_(motion.joints), notes_(notes), document_(motion.fps) {
-        for (const auto& group : form().groups)
-            materials_.push_back(document_.add_material(group.figure + "/" + group.part, group.color));
+        for (const auto& group : form().groups) materials_.push_back(material_of(group));
     }
 
     Failure write(std::string& bytes) {
@@ -44,6 +44,14 @@ class SceneWriter {
   private:
     const SceneMesh& form() const { return film_.form(); }
     const std::string& name_of(const MeshElement& element) const { return form().group_of(element).figure; }
+
+    int material_of(const MeshGroup& group) {
+        const auto name = group.figure + "/" + group.part;
+        if (!group.image) return document_.add_material(name, group.color);
+        const auto [found, is_new] = textures_.try_emplace({*group.image, group.repeats}, 0);
+        if (is_new) found->second = document_.add_texture(*form().images[*group.image].second, group.repeats);
+        return document_.add_material(name, group.color, found->second);
+    }
 
     /// Frames of what is below the present figure's node: one if the figure is rigid.
     std::size_t frames() const { return rigid_ ? 1 : film_.frames(); }
@@ -105,7 +113,7 @@ class SceneWriter {
         const auto [found, is_new] = solids_.try_emplace({kind, group, rounded}, 0);
         if (is_new) {
             const TriangleMesh mesh = make();
-            const GltfDocument::Part part{materials_[group], mesh.indices};
+            const GltfDocument::Part part{materials_[group], mesh.indices, !mesh.on_image.empty()};
             found->second = document_.add_mesh(form().groups[group].part, mesh, std::span(&part, 1));
         }
         return found->second;
@@ -135,6 +143,13 @@ class SceneWriter {
             add_rod(line, corners[i], corners[i + 1], radius(double(i) / parts), radius(double(i + 1) / parts));
     }
 
+    /// A rod; with an image that repeats, a whole number of them.
+    static TriangleMesh rod_of(const MeshElement& line, double length, double begin, double end) {
+        auto mesh = rod(length, begin, end);
+        if (line.image_length > 0) lay_image(mesh, length, begin, max(1.0, std::round(length / line.image_length)));
+        return mesh;
+    }
+
     /// A straight part: from the first vertex along the node's y axis to the second. Its length is the first frame's,
     /// and scaled where it changes.
     void add_rod(const MeshElement& line, std::uint32_t from, std::uint32_t to, double begin, double end) {
@@ -143,7 +158,7 @@ class SceneWriter {
             length = norm(position(frame, to) - position(frame, from));
         if (length < 1e-9) return;
         const int mesh = solid(line.kind, line.group, {length, begin, end}, [&] {
-            return line.kind == ElementKind::ring ? long_ring(length, line.width) : rod(length, begin, end);
+            return line.kind == ElementKind::ring ? long_ring(length, line.width) : rod_of(line, length, begin, end);
         });
         NodeMotion motion;
         Vec3<double> before{{0, 1, 0}};
@@ -218,7 +233,8 @@ class SceneWriter {
     const std::size_t joints_;
     std::vector<std::string>& notes_;
     GltfDocument document_;
-    std::vector<int> materials_; ///< by group
+    std::vector<int> materials_;                             ///< by group
+    std::map<std::pair<std::uint32_t, bool>, int> textures_; ///< by image, and whether it repeats
     std::map<std::tuple<ElementKind, std::uint32_t, std::array<long, 3>>, int> solids_;
     std::size_t nodes_ = 0;
 

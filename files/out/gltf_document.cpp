@@ -2,6 +2,7 @@
 
 #include "files/out/glb_bytes.h"
 #include "files/out/joint_skin.h"
+#include "files/out/stored_png.h"
 
 #include <algorithm>
 #include <array>
@@ -50,7 +51,19 @@ GltfDocument::GltfDocument(double fps) : root_(std::make_unique<Json>()), fps_(f
 
 GltfDocument::~GltfDocument() = default;
 
-int GltfDocument::add_material(const std::string& name, const Color& color) {
+int GltfDocument::add_texture(const Image& image, bool repeats) {
+    constexpr int repeat = 10497, clamp_to_edge = 33071;
+    auto& root = *root_;
+    const auto bytes = stored_png(image);
+    const int view = add_view(std::as_bytes(std::span(bytes)), 0);
+    binary_.resize((binary_.size() + 3) / 4 * 4); // numbers begin at multiples of four
+    const int source = last_of(root["images"], {{"bufferView", view}, {"mimeType", "image/png"}});
+    const int sampler =
+        last_of(root["samplers"], {{"wrapS", repeats ? repeat : clamp_to_edge}, {"wrapT", clamp_to_edge}});
+    return last_of(root["textures"], {{"source", source}, {"sampler", sampler}});
+}
+
+int GltfDocument::add_material(const std::string& name, const Color& color, std::optional<int> texture) {
     Json material{{"name", name},
                   {"doubleSided", true},
                   {"pbrMetallicRoughness",
@@ -58,6 +71,10 @@ int GltfDocument::add_material(const std::string& name, const Color& color) {
                     {"metallicFactor", 0},
                     {"roughnessFactor", 0.7}}}};
     if (color.alpha < 1) material["alphaMode"] = "BLEND";
+    if (texture) {
+        material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = *texture;
+        material["alphaMode"] = "MASK";
+    }
     return last_of((*root_)["materials"], std::move(material));
 }
 
@@ -65,6 +82,8 @@ int GltfDocument::add_mesh(const std::string& name, const TriangleMesh& vertices
                            std::span<const Target> targets) {
     const Json attributes{{"POSITION", add_vectors(vertices.positions, true)},
                           {"NORMAL", add_vectors(vertices.normals, false)}};
+    const auto has_texture = [](const Part& part) { return part.has_texture; };
+    const int on_image = std::ranges::any_of(parts, has_texture) ? add_places(vertices.on_image) : -1;
     Json moved = Json::array();
     for (const auto& target : targets)
         moved.push_back(
@@ -72,6 +91,7 @@ int GltfDocument::add_mesh(const std::string& name, const TriangleMesh& vertices
     Json primitives = Json::array();
     for (const auto& part : parts) {
         Json primitive{{"attributes", attributes}, {"indices", add_indices(part.indices)}, {"material", part.material}};
+        if (part.has_texture) primitive["attributes"]["TEXCOORD_0"] = on_image;
         if (!moved.empty()) primitive["targets"] = moved;
         primitives.push_back(std::move(primitive));
     }
@@ -184,6 +204,12 @@ int GltfDocument::add_vectors(std::span<const Vec3<float>> vectors, bool bounds)
     std::vector<float> numbers;
     for (const auto& v : vectors) numbers.insert(numbers.end(), v.component.begin(), v.component.end());
     return add_accessor(numbers, 3, vertex_data, bounds);
+}
+
+int GltfDocument::add_places(std::span<const Vec2<float>> on_image) {
+    std::vector<float> numbers;
+    for (const auto& place : on_image) numbers.insert(numbers.end(), place.component.begin(), place.component.end());
+    return add_accessor(numbers, 2, vertex_data, false);
 }
 
 int GltfDocument::add_indices(std::span<const std::uint32_t> indices) {

@@ -2,21 +2,24 @@
 
 #include "sinew/math/color.h"
 #include "sinew/math/vec.h"
+#include "sinew/scene/image.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace sinew::files {
 
-/// Corners of triangles with a position and a normal each.
+/// Corners of triangles with a position and a normal each, and a place on an image where there are images.
 struct TriangleMesh {
     std::vector<Vec3<float>> positions, normals;
+    std::vector<Vec2<float>> on_image;
     std::vector<std::uint32_t> indices;
 };
 
@@ -32,12 +35,16 @@ class GltfDocument {
     GltfDocument& operator=(const GltfDocument&) = delete;
     ~GltfDocument();
 
-    int add_material(const std::string& name, const Color& color);
+    /// An image for materials; one that repeats does so from left to right.
+    int add_texture(const Image& image, bool repeats);
+    /// With a texture, transparent where the image is less than half opaque.
+    int add_material(const std::string& name, const Color& color, std::optional<int> texture = {});
 
     /// A part of a mesh in one material: indices into the mesh's vertices.
     struct Part {
         int material = 0;
         std::vector<std::uint32_t> indices;
+        bool has_texture = false;
     };
     /// Displacements of a mesh's vertices and normals.
     struct Target {
@@ -72,6 +79,7 @@ class GltfDocument {
     int add_indices(std::span<const std::uint32_t> indices);
     int add_view(std::span<const std::byte> bytes, int target);
     int add_vectors(std::span<const Vec3<float>> vectors, bool bounds);
+    int add_places(std::span<const Vec2<float>> on_image);
 
     std::unique_ptr<nlohmann::json> root_;
     std::string binary_;

@@ -7,6 +7,7 @@
 #include "sinew/world/edit.h"
 
 #include "files/out/model_space.h"
+#include "files/out/worn_image.h"
 
 #include <algorithm>
 #include <utility>
@@ -31,6 +32,7 @@ template <class WorldT> class Collector {
         : scene_(session.scene()), world_(world), content_(content), theme_(theme_called(scene_.view.theme)),
           space_(scene_), vertex_of_(world.particles.size(), unused) {
         mesh_.flat = D == 2;
+        if (content.images) mesh_.images = session.images();
     }
 
     SceneMesh collect() {
@@ -41,6 +43,7 @@ template <class WorldT> class Collector {
                 if (const auto row = row_of(world_, id); row && vertex_of_[*row] != unused) add_particle(*row);
         each_piece([this](const Figure& figure, const Piece& piece, const Style& style) { add(figure, piece, style); });
         if (!rolls_) mesh_.turns.clear();
+        if (!mesh_.on_image.empty()) mesh_.on_image.resize(mesh_.vertices.size());
         return std::move(mesh_);
     }
 
@@ -54,8 +57,8 @@ template <class WorldT> class Collector {
             StyleResolver resolver(scene_, theme_, i, figure.name);
             for (const auto& piece : figure.pieces) {
                 const auto& style = resolver.of(piece.part);
-                if (!style.hidden.value_or(piece.hidden) && color_of(piece, style).alpha > 0 && is_whole(piece))
-                    visit(figure, piece, style);
+                const bool is_seen = color_of(piece, style).alpha > 0 || image_on(piece, style);
+                if (!style.hidden.value_or(piece.hidden) && is_seen && is_whole(piece)) visit(figure, piece, style);
             }
         }
     }
@@ -72,6 +75,15 @@ template <class WorldT> class Collector {
     static const Color& color_of(const Piece& piece, const Style& style) {
         return piece.mark == Mark::fill ? style.fill : style.color;
     }
+
+    /// Number of the image that a piece wears: in space, only from corner to corner.
+    std::optional<std::uint32_t> image_on(const Piece& piece, const Style& style) const {
+        if (D == 3 && piece.mark != Mark::fill) return std::nullopt;
+        return image_of(piece, style, mesh_.images);
+    }
+
+    /// True if faces with an image take the place of the piece.
+    bool is_worn(const Piece& piece, const Style& style) const { return image_on(piece, style) && !is_rope(piece); }
 
     static bool is_bent(const Piece& piece) {
         return piece.mark == Mark::limb && (piece.particles.size() == 3 || piece.particles.size() == 4);
@@ -91,8 +103,8 @@ template <class WorldT> class Collector {
     }
 
     /// First pass: notes which particles become vertices.
-    void mark(const Figure&, const Piece& piece, const Style&) {
-        if (!is_shown(piece) || is_bent(piece) || piece.mark == Mark::fragment) return;
+    void mark(const Figure&, const Piece& piece, const Style& style) {
+        if (!is_shown(piece) || is_bent(piece) || piece.mark == Mark::fragment || is_worn(piece, style)) return;
         for (const auto id : piece.particles) vertex_of_[*row_of(world_, id)] = 0;
     }
 
@@ -125,8 +137,7 @@ template <class WorldT> class Collector {
         return std::uint32_t(mesh_.vertices.size() - 1);
     }
 
-    std::uint32_t group_of(const Figure& figure, const Piece& piece, const Style& style) {
-        const MeshGroup group{figure.name, piece.part, color_of(piece, style)};
+    std::uint32_t number_of(const MeshGroup& group) {
         if (mesh_.groups.empty() || mesh_.groups.back() != group) {
             const auto found = std::ranges::find(mesh_.groups, group);
             if (found != mesh_.groups.end()) return std::uint32_t(found - mesh_.groups.begin());
@@ -137,7 +148,11 @@ template <class WorldT> class Collector {
 
     void add(const Figure& figure, const Piece& piece, const Style& style) {
         if (!is_shown(piece)) return;
-        MeshElement element{.group = group_of(figure, piece, style)};
+        const auto image = image_on(piece, style);
+        if (image && is_rope(piece)) return add_rope(figure, piece, style, *image);
+        if (image) return add_worn(figure, piece, style, *image);
+        if (image_of(piece, style, mesh_.images)) note_bare(figure.name);
+        MeshElement element{.group = number_of({figure.name, piece.part, color_of(piece, style)})};
         element.width = space_.length(width_of(piece, style));
         element.end_width = piece.end_width > 0 ? element.width * piece.end_width / piece.width : element.width;
         switch (piece.mark) {
@@ -159,8 +174,52 @@ template <class WorldT> class Collector {
     }
 
     double width_of(const Piece& piece, const Style& style) const {
-        constexpr double usual = 0.04; // metres, as the picture draws lines
+        constexpr double usual_line = 0.04, usual_dot = 0.07; // metres, as the picture draws them
+        const double usual = piece.mark == Mark::dot || piece.mark == Mark::tip ? usual_dot : usual_line;
         return style.width.value_or(piece.width > 0 ? piece.width : usual * scene_.measures().per_metre);
+    }
+
+    void note_bare(const std::string& figure) {
+        if (mesh_.bare.empty() || mesh_.bare.back() != figure) mesh_.bare.push_back(figure);
+    }
+
+    void add_worn(const Figure& figure, const Piece& piece, const Style& style, std::uint32_t image) {
+        std::vector<Vec3<double>> places;
+        for (const auto id : piece.particles) places.push_back(position_of(*row_of(world_, id)));
+        const auto group = number_of({figure.name, piece.part, {1, 1, 1, 1}, image});
+        if (piece.mark == Mark::fill) return add_grid(worn_quad(places), group);
+        ProjectedPiece seen{.mark = piece.mark, .points = {}, .scale = float(space_.length(1))};
+        for (const auto& p : places) seen.points.push_back({{float(p[0]), -float(p[1])}});
+        const double width = width_of(piece, style), end = piece.end_width > 0 ? piece.end_width / piece.width : 1;
+        seen.width = float(space_.length(width)), seen.end_width = float(space_.length(width * end));
+        for (const auto& worn : worn_images(seen, style, mesh_.images[image].second)) add_grid(worn, group);
+    }
+
+    static bool is_rope(const Piece& piece) {
+        return piece.mark == Mark::curve || (piece.mark == Mark::stroke && piece.particles.size() > 2);
+    }
+
+    /// A line as wide as the image, which repeats along it.
+    void add_rope(const Figure& figure, const Piece& piece, const Style& style, std::uint32_t image) {
+        const auto& [pixels, size] = std::pair(mesh_.images[image].second, style.image->size);
+        const double width = space_.length(size ? absolute((*size)[1]) : width_of(piece, style));
+        MeshElement rope{.group = number_of({figure.name, piece.part, {1, 1, 1, 1}, image, true})};
+        rope.width = rope.end_width = width;
+        rope.image_length = size ? space_.length(absolute((*size)[0])) : width * pixels->width / pixels->height;
+        add_along(piece, ElementKind::line, rope);
+    }
+
+    /// The grid as triangles. In a plane scene later parts lie in front of earlier ones, by a tenth of a millimetre.
+    void add_grid(const WornImage& worn, std::uint32_t group) {
+        const double front = D == 2 ? 1e-4 * double(group + 1) : 0;
+        const auto first = std::uint32_t(mesh_.vertices.size());
+        mesh_.on_image.resize(first);
+        for (const auto& p : worn.points) add_vertex(p + Vec3<double>{{0, 0, front}});
+        mesh_.on_image.insert(mesh_.on_image.end(), worn.on_image.begin(), worn.on_image.end());
+        for (auto corners : worn.triangles()) {
+            for (auto& corner : corners) corner += first;
+            add_element({.group = group}, ElementKind::face, corners);
+        }
     }
 
     void add_element(MeshElement element, ElementKind kind, std::span<const std::uint32_t> corners) {
@@ -229,11 +288,6 @@ template <class WorldT> class Collector {
 };
 
 } // namespace
-
-bool SceneMesh::has_form_of(const SceneMesh& other) const {
-    return vertices.size() == other.vertices.size() && corners == other.corners && elements == other.elements &&
-           groups == other.groups;
-}
 
 SceneMesh mesh_of(const Session& session, const MeshContent& content) {
     return std::visit([&](const auto& world) { return Collector(session, world, content).collect(); }, session.world());

@@ -60,6 +60,12 @@ TriangleMesh rod(double length, double begin, double end) {
     return revolved(circles, rod_sides);
 }
 
+void lay_image(TriangleMesh& rod, double length, double radius, double times) {
+    for (const auto& p : rod.positions)
+        rod.on_image.push_back(
+            cast<float>(Vec2<double>{{times * double(p[1]) / length, 0.5 + double(p[0]) / (2 * radius)}}));
+}
+
 TriangleMesh sphere(double radius) {
     std::vector<Circle> circles;
     add_dome(circles, 0, radius, -1, 0);

@@ -9,9 +9,10 @@ export const exportKinds = [
     { name: "mesh (OBJ)", ending: "obj" },
     { name: "moving drawing (SVG)", ending: "svg" },
     { name: "animation (Lottie)", ending: "json" },
+    { name: "table (CSV)", ending: "csv" },
 ] as const;
 
-const types: Record<string, string> = { glb: "model/gltf-binary", obj: "model/obj", mtl: "model/mtl", svg: "image/svg+xml", json: "application/json" };
+const types: Record<string, string> = { glb: "model/gltf-binary", obj: "model/obj", mtl: "model/mtl", svg: "image/svg+xml", csv: "text/csv", json: "application/json" };
 
 let exporter: Promise<Exporter> | undefined;
 

@@ -64,8 +64,8 @@ export interface ExportedFile {
 export class Exporter {
     readonly engine: Engine;
     /**
-     * Steps a scene from its start and writes it. The ending says the format: .glb, .pc2, .mdd, .obj, .ply, .svg (moves)
-     * or .json (Lottie). `notes` are about what the format could not take.
+     * Steps a scene from its start and writes it. The ending says the format: .glb, .pc2, .mdd, .obj, .ply, .svg (moves),
+     * .json (Lottie), .csv or .jsonl (a trace). `notes` are about what the format could not take.
      */
     write(scene: string | object, name: string, options?: ExportOptions): Promise<{ files: ExportedFile[]; notes: string[] }>;
 }

@@ -64,7 +64,7 @@ class Pictures(State):
                figures: Sequence[str] = (), width: int | None = None, height: int | None = None, background: str = "",
                follow: str = "", caption: str = "", error: float | None = None) -> Exported:
         """Writes a file of another program, by its ending: .glb, .pc2, .mdd, .obj or .ply; moving .svg or Lottie's .json;
-        .png, .apng, .webm or .mov, transparent with ``background="none"``.
+        a trace as .csv or .jsonl; .png, .apng, .webm or .mov, transparent with ``background="none"``.
 
         A film takes ``seconds`` (the scene's ``duration`` if left out), and the simulation is stepped by them; an .obj,
         .ply or .png is the present moment, or a sequence with a number in its name: ``"silk-%04d.obj"``. ``figures`` are
