@@ -70,15 +70,20 @@ void Drawing::add(const DrawnShape& shape, const Worn* worn) {
 }
 
 void Drawing::add_collider(json::Object object, const DrawnShape& drawn) {
-    object.insert(object.begin(), {"name", names_.take(drawn.name, "collider")});
+    const auto name = names_.take(drawn.name, "collider");
+    const bool has_fill = !drawn.fill.empty() && drawn.fill != "none";
+    const bool has_line = !drawn.stroke.empty() && drawn.stroke != "none";
+    if (has_fill || has_line) {
+        const auto& fill = has_fill ? drawn.fill : drawn.stroke;
+        looks_.push_back({name, json::Object{{"fill", fill}, {"color", has_line ? drawn.stroke : fill}}});
+    }
+    object.insert(object.begin(), {"name", name});
     if (drawn.is_sensor) object.push_back({"sensor", true});
     colliders_.push_back(std::move(object));
     count(0, drawn.place);
 }
 
 void Drawing::add_collider(const DrawnShape& shape) {
-    if (!shape.fill.empty() && shape.fill != "none")
-        notes_.count(shape.place, "colliders have the theme's colour, not their own");
     if (shape.circle)
         return add_collider(
             {{"shape", "sphere"}, {"at", point_json(shape.middle)}, {"radius", rounded_number(*shape.circle)}}, shape);
@@ -232,6 +237,7 @@ Imported Drawing::finish(std::string about) {
         {"world", json::Object{{"gravity", json::Array{0, gravity_in_pixels}},
                                {"bounds", json::Object{{"box", json::Array{point_json(low), point_json(high)}},
                                                        {"friction", 0.5}}}}});
+    if (!looks_.empty()) scene.push_back({"looks", std::move(looks_)});
     if (!colliders_.empty()) scene.push_back({"colliders", std::move(colliders_)});
     if (!figures_.empty()) scene.push_back({"figures", std::move(figures_)});
     scene.push_back({"seconds", 6});

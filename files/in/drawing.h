@@ -58,6 +58,7 @@ class Drawing {
     double error_;
     Notes notes_;
     json::Array figures_, colliders_;
+    json::Object looks_; ///< of colliders, by their names
     NewNames names_;
     std::size_t particles_ = 0;
 

@@ -42,7 +42,11 @@ class GltfReader {
 
     const JsonNode& root() const { return data_.root(); }
 
-    void check_extensions() const {
+    void check_extensions() {
+        const auto used = root()["extensionsUsed"];
+        for (std::size_t i = 0; i < used.size(); ++i)
+            if (const auto name = used[i].text(); std::ranges::count(readable_extensions, name) == 0)
+                scene_.notes().count(used[i].place(), concat("the extension ", in_quotes(name), " is not taken"));
         const auto required = root()["extensionsRequired"];
         for (std::size_t i = 0; i < required.size(); ++i)
             if (const auto name = required[i].text();
@@ -52,8 +56,7 @@ class GltfReader {
     }
 
     void add_node(const JsonNode& node, const Affine3& map) {
-        for (const auto* const part : {"camera", "light"})
-            if (node[part].exists()) scene_.notes().count(node.place(), concat(part, "s are not taken"));
+        if (node["camera"].exists()) scene_.notes().count(node.place(), "cameras are not taken");
         if (!node["mesh"].exists()) return;
         if (node["skin"].exists())
             return scene_.notes().count(node.place(), "a mesh with a skin comes as the ragdoll of its skeleton: "
@@ -69,7 +72,10 @@ class GltfReader {
         for (std::size_t i = 0; i < mesh["primitives"].size(); ++i) {
             const auto primitive = mesh["primitives"][i];
             add_primitive(primitive, map, whole);
-            if (result.color.empty()) result.color = color_of(primitive);
+            const auto color = color_of(primitive);
+            if (result.color.empty()) result.color = color;
+            if (!color.empty() && color != result.color)
+                scene_.notes().count(primitive.place(), "of the colours of a mesh the first is taken");
         }
         std::vector<std::size_t> faces(whole.faces());
         for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = i;
@@ -82,6 +88,8 @@ class GltfReader {
     void add_primitive(const JsonNode& primitive, const Affine3& map, MeshModel& model) {
         const auto mode = primitive["mode"].exists() ? primitive["mode"].index() : 4;
         if (mode < 4 || mode > 6) return scene_.notes().count(primitive.place(), "points and lines are not taken");
+        if (primitive["attributes"]["COLOR_0"].exists())
+            scene_.notes().count(primitive.place(), "colours of points are not taken");
         const auto position = primitive["attributes"]["POSITION"];
         if (!position.exists()) return scene_.notes().count(primitive.place(), "a mesh without positions is not taken");
         const auto numbers = data_.numbers(position, "VEC3", 3);

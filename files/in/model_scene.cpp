@@ -115,7 +115,7 @@ void ModelScene::build(ImportedMesh& mesh) {
     const auto file = fmt::format("{}_models/{}.obj", file_.title, mesh.name);
     beside_.push_back({file, to_obj(mesh.model)});
     if (role == Role::collider) {
-        if (!mesh.color.empty()) notes_.count(mesh.place, "colliders have the theme's colour, not their own");
+        if (!mesh.color.empty()) looks_.push_back({mesh.name, json::Object{{"fill", mesh.color}}});
         colliders_.push_back(json::Object{{"name", mesh.name}, {"shape", "mesh"}, {"file", file}});
     } else {
         add_figure(mesh, role, file);
@@ -186,6 +186,7 @@ Imported ModelScene::finish() {
                        {"view", view()},
                        {"world", json::Object{{"gravity", json::Array{0, -9.81, 0}}, {"damping", 0.05}}},
                        {"colliders", std::move(colliders_)}};
+    if (!looks_.empty()) scene.push_back({"looks", std::move(looks_)});
     if (!figures_.empty()) scene.push_back({"figures", std::move(figures_)});
     scene.push_back({"seconds", 5});
     return {std::move(scene), notes_.taken(), std::move(beside_)};

@@ -41,6 +41,7 @@ class ModelScene {
     Notes notes_;
     std::vector<ImportedMesh> meshes_;
     json::Array figures_, colliders_;
+    json::Object looks_; ///< of colliders, by their names
     std::vector<SideFile> beside_;
     NewNames names_;
     Vec3<double> low_{}, high_{};

@@ -26,6 +26,16 @@ struct ObjPart {
     std::vector<std::size_t> faces;
 };
 
+std::size_t words_of(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r";
+    std::size_t words = 0;
+    for (auto begin = text.find_first_not_of(blanks); begin < text.size() && text[begin] != '#'; ++words) {
+        const auto end = text.find_first_of(" \t\r#", begin);
+        begin = end == text.npos ? end : text.find_first_not_of(blanks, end);
+    }
+    return words;
+}
+
 class ObjImport {
   public:
     ObjImport(const ImportFile& file, const ImportOptions& options) : file_(file), scene_(file, options) {}
@@ -70,6 +80,9 @@ class ObjImport {
         const auto begin = std::min(text.find_first_not_of(blanks), text.size());
         text.remove_prefix(begin);
         const auto keyword = text.substr(0, text.find_first_of(" \t\r#"));
+        constexpr std::size_t place_and_weight = 5; // words of a point, with the keyword
+        if (keyword == "v" && words_of(text) > place_and_weight)
+            scene_.notes().count(concat(line, ":1"), "colours of points are not taken");
         if (keyword == "f") parts_.back().faces.push_back(faces++);
         if (keyword == "o" || keyword == "g") {
             auto name = text.substr(keyword.size());

@@ -14,11 +14,6 @@
 namespace sinew::files {
 namespace {
 
-/// Elements that draw nothing by themselves.
-constexpr std::array<std::string_view, 14> silent_tags = {
-    "defs",           "title",          "desc",    "metadata", "style",
-    "linearGradient", "radialGradient", "symbol",  "marker",   "sodipodi:namedview",
-    "clipPath",       "mask",           "pattern", "filter"};
 /// Elements of any file that are drawn more often than this are those of a bomb.
 constexpr std::size_t most_visits = 50'000;
 
@@ -49,9 +44,9 @@ class SvgReader {
             usual_ = role_called(options_.role);
         const auto style = rules_.style_of(root_, {});
         read_children(root_, scaled_by(scale, scale) * view_box(root_, page), style, 0);
-        for (const auto& selector : unknown_selectors_)
-            drawing.notes().count("style", concat("the rule for ", in_quotes(selector),
-                                                  " is not applied: selectors are a tag, a class or an id"));
+        for (const auto& [place, selector] : unknown_selectors_)
+            drawing.notes().count(place, concat("the rule for ", in_quotes(selector),
+                                                " is not applied: selectors are a tag, a class or an id"));
         return drawing.finish(concat("Imported from ", file_.name));
     }
 
@@ -62,7 +57,7 @@ class SvgReader {
     pugi::xml_document tree_;
     pugi::xml_node root_;
     SvgRules rules_;
-    std::vector<std::string> unknown_selectors_;
+    std::vector<std::pair<std::string, std::string>> unknown_selectors_; ///< place, selector
     std::map<std::string, pugi::xml_node, std::less<>> by_id_;
     std::optional<Role> usual_;
     Drawing* drawing_ = nullptr;
@@ -94,7 +89,8 @@ class SvgReader {
         if (const auto id = node.attribute("id")) by_id_.emplace(id.value(), node);
         if (local(node) == "style")
             for (const auto text : node.children())
-                for (auto& selector : rules_.add(text.value())) unknown_selectors_.push_back(std::move(selector));
+                for (auto& selector : rules_.add(text.value()))
+                    unknown_selectors_.emplace_back(described(node), std::move(selector));
         for (const auto child : node.children()) collect(child, depth + 1);
     }
 
@@ -150,8 +146,7 @@ class SvgReader {
             throw ImportError{described(node),
                               concat("elements nest more than ", ImportLimits::depth, " deep, or refer to themselves")};
         const auto tag = local(node);
-        if (std::ranges::count(silent_tags, tag) > 0 || tag.starts_with("inkscape:") || tag.starts_with("sodipodi:"))
-            return;
+        if (is_silent_svg(tag)) return;
         const auto style = rules_.style_of(node, parent);
         if (!style.is_displayed) return drawing_->notes().count(described(node), "hidden elements are not taken");
         try {
@@ -186,6 +181,9 @@ class SvgReader {
         if (!lines) return drawing_->notes().count(described(node), concat("<", printable(tag), "> is not taken"));
         if (!style.is_visible) return drawing_->notes().count(described(node), "hidden elements are not taken");
         if (lines->empty()) return drawing_->notes().count(described(node), "it has no extent: nothing is made of it");
+        for (const auto child : node.children()) // such as <animate>
+            if (child.type() == pugi::node_element && !is_silent_svg(local(child)))
+                drawing_->notes().count(described(child), concat("<", printable(child.name()), "> is not taken"));
         add(node, tag, std::move(*lines), map, style);
     }
 

@@ -6,10 +6,16 @@
 #include "files/in/svg_values.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace sinew::files {
 namespace {
+
+constexpr std::array<std::string_view, 14> silent_tags = {
+    "defs",           "title",          "desc",    "metadata", "style",
+    "linearGradient", "radialGradient", "symbol",  "marker",   "sodipodi:namedview",
+    "clipPath",       "mask",           "pattern", "filter"};
 
 std::vector<DrawnLine> along_path(std::string_view data) {
     auto path = read_svg_path(data);
@@ -74,6 +80,10 @@ std::optional<std::vector<DrawnLine>> svg_lines(pugi::xml_node element, const Ve
     if (tag == "polygon") return corner_lines(element, true);
     if (tag == "polyline") return corner_lines(element, false);
     return std::nullopt;
+}
+
+bool is_silent_svg(std::string_view tag) {
+    return std::ranges::count(silent_tags, tag) > 0 || tag.starts_with("inkscape:") || tag.starts_with("sodipodi:");
 }
 
 } // namespace sinew::files

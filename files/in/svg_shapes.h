@@ -10,6 +10,9 @@ namespace sinew::files {
 /// are of. Empty for other elements; throws ImportError, without a place, where an attribute cannot be read.
 std::optional<std::vector<DrawnLine>> svg_lines(pugi::xml_node element, const Vec2<double>& page);
 
+/// True for elements that draw nothing by themselves.
+bool is_silent_svg(std::string_view tag);
+
 /// Value of an attribute that is a length, in pixels; throws ImportError, without a place.
 double svg_length(pugi::xml_node element, const char* name, double whole, double usual = 0);
 

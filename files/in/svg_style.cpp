@@ -19,7 +19,9 @@ bool has_word(std::string_view list, std::string_view word) {
     return false;
 }
 
-constexpr std::array<std::string_view, 4> unknown_properties = {"clip-path", "mask", "filter", "stroke-dasharray"};
+constexpr std::array<std::string_view, 10> unknown_properties = {
+    "clip-path",    "mask",       "filter",     "stroke-dasharray", "marker",
+    "marker-start", "marker-mid", "marker-end", "transform",        "mix-blend-mode"};
 
 void set_opacity(double& target, std::string_view text, double before = 1) {
     if (const auto value = svg_value::length(text, 1)) target = before * std::clamp(*value, 0.0, 1.0);
@@ -38,7 +40,8 @@ void set_property(SvgStyle& style, std::string_view name, std::string_view value
     if (name == "fill-opacity") set_opacity(style.fill_opacity, value);
     if (name == "stroke-opacity") set_opacity(style.stroke_opacity, value);
     if (name == "visibility") style.is_visible = value == "visible";
-    if (std::ranges::count(unknown_properties, name) > 0 && value != "none") style.not_taken.emplace_back(name);
+    const bool has_meaning = value != "none" && value != "normal";
+    if (std::ranges::count(unknown_properties, name) > 0 && has_meaning) style.not_taken.emplace_back(name);
     if (name == "display") style.is_displayed = value != "none";
 }
 
@@ -69,6 +72,16 @@ std::optional<Role> role_of(pugi::xml_node element) {
     return std::nullopt;
 }
 
+/// Place behind the block that an opening brace begins, with the blocks in it.
+std::size_t end_of_block(std::string_view css, std::size_t open) {
+    int depth = 0;
+    for (auto i = open; i < css.size(); ++i) {
+        depth += css[i] == '{' ? 1 : css[i] == '}' ? -1 : 0;
+        if (depth == 0) return i + 1;
+    }
+    return css.size();
+}
+
 /// A tag, a class, an id, or one of each in this order.
 bool is_simple(std::string_view selector) {
     const bool is_plain = std::ranges::all_of(selector, [](char c) {
@@ -96,19 +109,30 @@ std::vector<std::string> SvgRules::add(std::string_view css) {
     std::vector<std::string> unknown;
     const auto text = without_comments(css);
     for (std::size_t begin = 0; begin < text.size();) {
-        const auto open = text.find('{', begin), close = text.find('}', begin);
-        if (open == text.npos || close == text.npos || close < open) break;
+        const auto open = text.find('{', begin), statement = text.find(';', begin);
+        begin = text.find_first_not_of(" \t\r\n", begin);
+        if (begin == text.npos) break;
+        if (text[begin] == '@' && statement < open) { // such as @import
+            unknown.push_back(text.substr(begin, statement - begin));
+            begin = statement + 1;
+            continue;
+        }
+        if (open == text.npos) {
+            unknown.push_back(text.substr(begin));
+            break;
+        }
+        const auto end = end_of_block(text, open);
         std::string_view selectors = std::string_view(text).substr(begin, open - begin);
         while (!selectors.empty()) {
             const auto comma = std::min(selectors.find(','), selectors.size());
             const auto selector = trimmed(selectors.substr(0, comma));
             selectors.remove_prefix(std::min(comma + 1, selectors.size()));
             if (is_simple(selector))
-                rules_.push_back(rule_of(selector, text.substr(open + 1, close - open - 1)));
+                rules_.push_back(rule_of(selector, text.substr(open + 1, end - open - 2)));
             else
                 unknown.emplace_back(selector);
         }
-        begin = close + 1;
+        begin = end;
     }
     std::ranges::stable_sort(rules_, {}, &Rule::weight);
     return unknown;
@@ -123,9 +147,24 @@ bool SvgRules::matches(const Rule& rule, pugi::xml_node element) {
 SvgStyle SvgRules::style_of(pugi::xml_node element, const SvgStyle& parent) const {
     SvgStyle style = parent;
     style.not_taken.clear();
-    constexpr std::array properties = {
-        "fill",           "stroke",     "color",     "fill-rule", "stroke-width", "opacity",          "fill-opacity",
-        "stroke-opacity", "visibility", "clip-path", "mask",      "filter",       "stroke-dasharray", "display"};
+    constexpr std::array properties = {"fill",
+                                       "stroke",
+                                       "color",
+                                       "fill-rule",
+                                       "stroke-width",
+                                       "opacity",
+                                       "fill-opacity",
+                                       "stroke-opacity",
+                                       "visibility",
+                                       "clip-path",
+                                       "mask",
+                                       "filter",
+                                       "stroke-dasharray",
+                                       "display",
+                                       "marker-start",
+                                       "marker-mid",
+                                       "marker-end",
+                                       "mix-blend-mode"};
     for (const auto* const name : properties)
         if (const auto attribute = element.attribute(name)) set_property(style, name, attribute.value(), parent);
     for (const auto& rule : rules_)

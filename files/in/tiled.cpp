@@ -104,6 +104,7 @@ class TiledReader {
             const auto layer = layers[i];
             const auto type = layer["type"].text_or("");
             const auto names = concat(layer["class"].text_or(""), " ", layer["name"].text_or(""), " ", above);
+            note_looks(layer);
             const auto map = outer * moved_by({{layer["offsetx"].number_or(0), layer["offsety"].number_or(0)}});
             if (type == "group")
                 read_layers(layer["layers"], map, names, depth + 1);
@@ -116,10 +117,31 @@ class TiledReader {
         }
     }
 
+    /// Looks of a layer that a scene has not.
+    void note_looks(const JsonNode& layer) {
+        for (const auto* const key : {"opacity", "parallaxx", "parallaxy"})
+            if (layer[key].number_or(1) != 1)
+                drawing_->notes().count(layer[key].place(), concat("its ", key, " is not taken"));
+        if (layer["tintcolor"].exists())
+            drawing_->notes().count(layer["tintcolor"].place(), "its tintcolor is not taken");
+        note_properties(layer);
+    }
+    void note_properties(const JsonNode& node) {
+        const auto properties = node["properties"];
+        for (std::size_t i = 0; i < properties.size(); ++i)
+            if (const auto name = properties[i]["name"].text_or(""); name != "sensor")
+                drawing_->notes().count(properties[i].place(), "properties of one's own are not taken");
+    }
+
     void read_objects(const JsonNode& layer, const Affine& map, const std::string& names) {
         const auto objects = layer["objects"];
         for (std::size_t i = 0; i < objects.size(); ++i) {
+            if (objects[i]["template"].exists()) {
+                drawing_->notes().count(objects[i].place(), "objects of templates are not taken: detach them in Tiled");
+                continue;
+            }
             const auto object = tiled_object(objects[i]);
+            note_properties(objects[i]);
             auto shape = object.kind == TiledObject::Kind::text || object.kind == TiledObject::Kind::point
                              ? std::nullopt
                              : drawn_shape(object, map);

@@ -2,6 +2,7 @@
 
 #include "sinew/math/sort.h"
 #include "sinew/math/trig.h"
+#include "sinew/picture/collider_colors.h"
 #include "sinew/picture/outline.h"
 #include "sinew/picture/surface.h"
 
@@ -17,6 +18,7 @@ using Position = Vec3<double>;
 struct SolidFace {
     std::vector<Position> corners;
     Position normal{};
+    Color color{};
 };
 
 template <int D, class Real> Position placed_in_space(const Vec<D, Real>& vector) {
@@ -90,7 +92,7 @@ using Faces = std::vector<SolidFace>;
 
 void add_face(Faces& faces, std::vector<Position> corners) {
     const auto normal = direction(cross(corners[1] - corners[0], corners[2] - corners[0]));
-    faces.push_back({std::move(corners), normal});
+    faces.push_back({std::move(corners), normal, {}});
 }
 
 /// Capsule of a given axis; a sphere for an axis of no length.
@@ -110,7 +112,7 @@ void add_capsule(Faces& faces, const Position& a, const Position& b, double radi
         for (int i = 0; i < circle_corners; ++i) {
             const auto p = at(ring, i), q = at(ring, i + 1), r = at(ring + 1, i + 1), s = at(ring + 1, i);
             const auto normal = cross(r - p, s - q);
-            if (normal != Position{}) faces.push_back({{p, q, r, s}, direction(normal)});
+            if (normal != Position{}) faces.push_back({{p, q, r, s}, direction(normal), {}});
         }
 }
 template <class Real> void add_faces(Faces& faces, const collide::Sphere<3, Real>& sphere) {
@@ -148,8 +150,8 @@ template <class WorldT> class ColliderPainter {
     static constexpr int D = WorldT::dimension;
     using Pose = collide::Pose<D, typename WorldT::Real>;
 
-    ColliderPainter(const View& view, const Theme& theme, float thickness, Picture& picture)
-        : view_(view), theme_(theme), thickness_(thickness), picture_(picture) {}
+    ColliderPainter(const Scene& scene, const View& view, const Theme& theme, float thickness, Picture& picture)
+        : scene_(scene), view_(view), theme_(theme), thickness_(thickness), picture_(picture) {}
 
     void draw(const WorldT& world) {
         if constexpr (D == 2)
@@ -159,6 +161,7 @@ template <class WorldT> class ColliderPainter {
     }
 
   private:
+    const Scene& scene_;
     const View& view_;
     const Theme& theme_;
     float thickness_;
@@ -173,9 +176,13 @@ template <class WorldT> class ColliderPainter {
 
     template <class Colliders> void draw_solids(const Colliders& colliders) {
         Faces faces;
-        for (const auto& collider : colliders)
-            if (!collider.is_sensor && collider.is_enabled())
-                std::visit([&](const auto& shape) { collect(faces, shape, collider.target); }, collider.shape);
+        for (const auto& collider : colliders) {
+            if (collider.is_sensor || !collider.is_enabled()) continue;
+            const auto colors = colors_of(collider.name, scene_, theme_);
+            if (!colors.hidden)
+                std::visit([&](const auto& shape) { collect(faces, shape, collider.target, colors.fill); },
+                           collider.shape);
+        }
         draw_faces(faces);
     }
 
@@ -194,18 +201,20 @@ template <class WorldT> class ColliderPainter {
 
     /// Parts of a shape: all lines, of which their fills then hide the inner half, and so the seams.
     template <class Parts> void draw_section(const Parts& parts) {
+        const auto [fill, line, hidden] = colors_of(parts.front().name, scene_, theme_);
+        if (hidden) return;
         const bool is_one = parts.size() == 1 || !outline(parts.front()).is_solid;
         for (const auto& part : parts) {
             const auto shape = outline(part);
             see(shape, part.target);
-            if (is_one && shape.is_solid) picture_.add(sinew::Shape::polygon, pixels_, 0, theme_.ground);
-            picture_.add(sinew::Shape::loop, pixels_, is_one ? thickness_ : 2 * thickness_, theme_.wall);
+            if (is_one && shape.is_solid) picture_.add(sinew::Shape::polygon, pixels_, 0, fill);
+            picture_.add(sinew::Shape::loop, pixels_, is_one ? thickness_ : 2 * thickness_, line);
         }
         if (is_one) return;
         for (const auto& part : parts) {
             see(outline(part), part.target);
-            picture_.add(sinew::Shape::polygon, pixels_, 0, theme_.ground);
-            picture_.add(sinew::Shape::loop, pixels_, 1, theme_.ground); // closes the seam
+            picture_.add(sinew::Shape::polygon, pixels_, 0, fill);
+            picture_.add(sinew::Shape::loop, pixels_, 1, fill); // closes the seam
         }
     }
 
@@ -218,12 +227,14 @@ template <class WorldT> class ColliderPainter {
             if (const auto seen = view_.see(position(pose, corner))) pixels_.push_back(seen->pixel);
     }
 
-    template <class ShapeT> static void collect(Faces& faces, const ShapeT& shape, const Pose& pose) {
+    template <class ShapeT>
+    static void collect(Faces& faces, const ShapeT& shape, const Pose& pose, const Color& color) {
         const auto first = faces.size();
         add_faces(faces, shape);
         for (auto i = first; i < faces.size(); ++i) {
             for (auto& corner : faces[i].corners) corner = position(pose, corner);
             faces[i].normal = position({{}, pose.rotation}, faces[i].normal);
+            faces[i].color = color;
         }
     }
 
@@ -248,7 +259,7 @@ template <class WorldT> class ColliderPainter {
             if (const auto seen = view_.see(corner)) pixels_.push_back(seen->pixel);
         if (pixels_.size() < face.corners.size() || !faces_viewer()) return;
         const double lit = 0.5 + 0.5 * dot(face.normal, light.towards_light);
-        const Color dark = mix(theme_.ground, theme_.ink, 0.45F), pale = mix(theme_.ground, {1, 1, 1, 1}, 0.5F);
+        const Color dark = mix(face.color, theme_.ink, 0.45F), pale = mix(face.color, {1, 1, 1, 1}, 0.5F);
         const Color shade = mix(dark, pale, float(lit));
         picture_.add(sinew::Shape::polygon, pixels_, 0, shade);
         picture_.add(sinew::Shape::loop, pixels_, 1, shade);
@@ -266,13 +277,13 @@ template <class WorldT> class ColliderPainter {
 } // namespace
 
 template <int D, class Real>
-void draw_colliders(const World<D, Real>& world, const View& view, const Theme& theme, float thickness,
-                    Picture& picture) {
-    if (!world.colliders.empty()) ColliderPainter<World<D, Real>>(view, theme, thickness, picture).draw(world);
+void draw_colliders(const Scene& scene, const World<D, Real>& world, const View& view, const Theme& theme,
+                    float thickness, Picture& picture) {
+    if (!world.colliders.empty()) ColliderPainter<World<D, Real>>(scene, view, theme, thickness, picture).draw(world);
 }
 
 #define SINEW_DRAW_COLLIDERS(D, Real)                                                                                  \
-    template void draw_colliders(const World<D, Real>&, const View&, const Theme&, float, Picture&);
+    template void draw_colliders(const Scene&, const World<D, Real>&, const View&, const Theme&, float, Picture&);
 SINEW_INSTANTIATE(SINEW_DRAW_COLLIDERS)
 
 } // namespace sinew

@@ -86,7 +86,7 @@ template <class WorldT> class Drawer {
         if (!scene_.view.plain)
             ShadowPainter(scene_, world_, view_, context_.images, light_, unit_, cloth_, picture_).paint();
         if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
-        draw_colliders(world_, view_, theme_, wall_thickness * unit_, picture_);
+        draw_colliders(scene_, world_, view_, theme_, wall_thickness * unit_, picture_);
         draw_traces(scene_, context_.history, view_, picture_);
         for (std::size_t i = 0; i < world_.figures.size(); ++i) figure(world_.figures[i], i);
     }

@@ -209,7 +209,7 @@ template <int D, class Real> class ReferenceCheck {
         return parts;
     }
 
-    /// Checks a key of "looks": figure/part, figure, or a part of any figure.
+    /// Checks a key of "looks": figure/part, figure, collider, or a part of any figure.
     void check_look(std::string_view key) {
         const auto place = "/looks" + json::pointer_step(key);
         const auto slash = key.find('/');
@@ -220,15 +220,16 @@ template <int D, class Real> class ReferenceCheck {
                 unknown("part", key.substr(slash + 1), place, parts_of(world_.figures[*index]));
             return;
         }
-        if (find_figure(world_, key) || !incomplete_.empty()) return;
+        if (find_figure(world_, key) || collider_called(world_, key) || !incomplete_.empty()) return;
         auto candidates = figure_names();
+        for (const auto& collider : world_.colliders) candidates.emplace_back(collider.name);
         for (const auto& figure : world_.figures) {
             if (has_part(figure, key)) return;
             for (const auto part : parts_of(figure))
                 if (std::find(candidates.begin(), candidates.end(), part) == candidates.end())
                     candidates.push_back(part);
         }
-        unknown("figure or part", key, place, std::move(candidates));
+        unknown("figure, collider or part", key, place, std::move(candidates));
     }
 
     void event(const EventSection& section, std::size_t i) {
