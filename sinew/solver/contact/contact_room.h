@@ -13,24 +13,6 @@
 
 namespace sinew {
 
-/// Support of a figure in a substep (support.h).
-template <int D, class Real> struct FigureSupport {
-    static constexpr std::uint32_t none = ~std::uint32_t(0);
-    Vec<D, Real> normals{};     ///< sum of the normals along which it is held
-    std::uint32_t level = none; ///< figures from the wall on
-    Vec<D, Real> load{};        ///< impulse that its support answers to, against it
-    std::uint32_t last = none;  ///< of the rows that hold it: index in ContactRoom::held_up
-};
-/// Row that holds up a figure.
-template <int D, class Real> struct HoldingRow {
-    const ContactRow<D, Real>* row = nullptr;
-    ContactOrigin<D, Real>* origin = nullptr;
-    std::uint32_t on = FigureSupport<D, Real>::none;       ///< figure below; none for a wall
-    Real side = 1;                                         ///< -1: the figure is on the other side of the row's normal
-    std::uint32_t figure = 0;                              ///< that is held up
-    std::uint32_t previous = FigureSupport<D, Real>::none; ///< of the same figure
-};
-
 /// Contacts of colliding figures during a step: everything that follows from the rest of the world.
 template <int D, class Real> struct ContactRoom {
     bool is_active = false;   ///< some figure collides
@@ -47,9 +29,7 @@ template <int D, class Real> struct ContactRoom {
     std::vector<char> exact_components; ///< per component of the plan: the sweep has no distances there
     std::vector<char> cloth_components; ///< per component of the plan: some particle is of cloth
     std::vector<char> is_buried;        ///< per component of rigid links: it hangs on a particle behind a wall
-    std::vector<FigureSupport<D, Real>> supports; ///< by component of rigid links, then by slot; scratch of a round
-    std::vector<HoldingRow<D, Real>> held_up;     ///< scratch of a round
-    std::vector<std::array<Row, 2>> links;        ///< pairs of linked particles, in order
+    std::vector<std::array<Row, 2>> links; ///< pairs of linked particles, in order
 
     detail::ContactList<D, Real> list;                   ///< pairs of features that may touch
     std::vector<ContactMultiplier<D, Real>> multipliers; ///< per candidate of the list
@@ -57,8 +37,10 @@ template <int D, class Real> struct ContactRoom {
     std::vector<HeldSettling<Real>> settling;            ///< per component of rigid links
     std::vector<KeptContact<D, Real>> written;           ///< copy of what the world keeps, after the last step
     detail::ContactParts<D, Real> parts;
-    std::vector<ReboundRow<Real>> rebounds; ///< scratch
-    UnionFind groups;                       ///< of components of rigid links, then of slots; scratch
+    std::vector<ReboundRow<Real>> rebounds;      ///< scratch
+    UnionFind groups;                            ///< of bodies; scratch
+    std::vector<IslandRow<D, Real>> island_rows; ///< of a substep
+    std::vector<IslandMasses<Real>> islands;     ///< by their first bodies
 
     detail::LinkProjector<D, Real> projector;
     detail::JointRows<D, Real> joints;

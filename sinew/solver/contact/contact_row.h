@@ -27,9 +27,10 @@ template <int D, class Real> struct ContactRow {
     std::uint8_t members = 0;
     bool keeps = true; ///< the multiplier outlasts the substep
     bool acts_on_clusters = false;
-    bool is_held = false;    ///< solved as the whole figures answer
-    bool is_central = false; ///< the normal is the line of centres, and turns with it
-    signed char side = 0;    ///< 2D: of the segment on which the particle is, 1: left of a-b
+    bool is_held = false;     ///< solved as the whole figures answer
+    bool is_repeated = false; ///< solved with the rows of its island, until they agree (row_islands.h)
+    bool is_central = false;  ///< the normal is the line of centres, and turns with it
+    signed char side = 0;     ///< 2D: of the segment on which the particle is, 1: left of a-b
 };
 
 /// The rest of a row.
@@ -54,6 +55,15 @@ struct HeldRow {
     std::uint32_t row = 0;
     std::uint32_t component = 0; ///< of rigid links, of the light particle
 };
+
+/// Row of an island of bodies of unlike masses (row_islands.h). Impulses are h newton seconds.
+template <int D, class Real> struct IslandRow {
+    std::uint32_t island = 0, part = 0, row = 0; ///< first body of the island; part, and index in it
+    Vec<D, Real> change{}, direction{};
+};
+
+/// Masses of the bodies of an island, kg.
+template <class Real> struct IslandMasses { Real lightest = std::numeric_limits<Real>::max(), heaviest = 0; };
 
 /// Impulses of the held rows of a component in a round.
 template <class Real> struct HeldSettling {

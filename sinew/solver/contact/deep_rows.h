@@ -2,7 +2,6 @@
 
 #include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/held_rows.h"
-#include "sinew/solver/contact/support.h"
 #include "sinew/solver/solver.h"
 
 namespace sinew::detail {
@@ -26,11 +25,8 @@ template <int D, class Real> class DeepRows {
         constexpr int rounds = 3;
         const auto& parts = solver_.contacts->parts.list;
         if (std::ranges::all_of(parts, [](const Part& part) { return part.deep.empty(); })) return;
-        Support<D, Real> support(*solver_.contacts, rows_);
-        support.find();
         for (int i = 0; i < rounds; ++i)
-            if (!hold_each(support)) break;
-        support.pass_loads_on();
+            if (!hold_each()) break;
     }
 
     /// Links of a taut rope give way across it to first order and not to second: the correction of its lengths brings
@@ -57,12 +53,11 @@ template <int D, class Real> class DeepRows {
     auto& projector() { return solver_.contacts->projector; }
 
     /// One round over all rows; true if any has moved.
-    bool hold_each(const Support<D, Real>& support) {
+    bool hold_each() {
         bool any = false;
         for (auto& part : solver_.contacts->parts.list)
             for (const auto i : part.deep)
-                if (i < part.first_wall || !is_buried(part.rows[i]))
-                    any = hold(part.rows[i], part.origins[i], support) || any;
+                if (i < part.first_wall || !is_buried(part.rows[i])) any = hold(part.rows[i], part.origins[i]) || any;
         return any;
     }
     /// A figure that hangs on a particle behind a wall may have no way out of it.
@@ -102,17 +97,11 @@ template <int D, class Real> class DeepRows {
     Real recovery(Real depth) const {
         return min(Softness<Real>::contact().rate * depth, depth - depth_left(depth, gravity_, h_));
     }
-    bool hold(RowT& row, Origin& origin, const Support<D, Real>& support) {
+    bool hold(RowT& row, Origin& origin) {
         const Real lacking = missing(row, origin);
         if (!(lacking > Real(0))) return false;
-        constexpr auto much = Real(4); // as heavy as the one that is held up, three times and more
-        const Real together = held_.mass_of(row);
-        auto acting = support.acting(row);
-        const Real alone = held_.mass_of(acting.row);
-        if (alone <= much * together) acting = {row};
-        const Real impulse = min(lacking * (alone > much * together ? alone : together), limit::multiplier<Real>);
-        held_.push(acting.row, impulse);
-        if (acting.held != FigureSupport<D, Real>::none) support.load(acting, row, impulse);
+        const Real impulse = min(lacking * held_.mass_of(row), limit::multiplier<Real>);
+        held_.push(row, impulse);
         origin.pushed += impulse;
         row.max = max(row.max, row.multiplier + impulse);
         return impulse > Real(0);

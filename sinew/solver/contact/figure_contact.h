@@ -6,6 +6,7 @@
 #include "sinew/solver/contact/pin_rows.h"
 #include "sinew/solver/contact/rebounds.h"
 #include "sinew/solver/contact/row_builder.h"
+#include "sinew/solver/contact/row_islands.h"
 #include "sinew/solver/contact/row_solver.h"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ template <int D, class Real> class FigureContact {
         const Real scale = scale_kept();
         list_candidates();
         room().parts.run_all(threads_, [&](Part& part) { build_rows(world_, solver_, part, h_, from_, to_); });
+        RowIslands<D, Real>(room(), state_).find();
         room().projector.begin(state_, drag_changes_, is_last_, threads_);
         each_part([&](Part& part) {
             for (auto& row : part.rows) apply_again(row);
@@ -50,7 +52,7 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         PinRows<D, Real>(world_, solver_, h_, from_, to_).solve();
         room().joints.solve(state_, Soft::contact());
-        solve_rows(Soft::contact(), Soft::hard(), [](const auto&, const RowT&, const Origin&) { return true; });
+        solve_rows(&Soft::contact, Soft::hard(), [](const auto&, const RowT&, const Origin&) { return true; });
         deep_.hold();
         room().projector.project_lengths(state_, threads_);
         if constexpr (D == 3) deep_.hold_again();
@@ -68,9 +70,10 @@ template <int D, class Real> class FigureContact {
         room().projector.restore_energy(state_, threads_);
         each_part([&](Part& part) { rows_.follow_centres(part); });
         room().joints.solve(state_, Soft::none());
-        solve_rows(Soft::none(), Soft::none(), [&](const auto& rows, const RowT& row, const Origin& origin) {
-            return !Rebounds<D, Real>(room(), state_, rows, h_).awaits_blow(row, origin);
-        });
+        solve_rows([](Real) { return Soft::none(); }, Soft::none(),
+                   [&](const auto& rows, const RowT& row, const Origin& origin) {
+                       return !Rebounds<D, Real>(room(), state_, rows, h_).awaits_blow(row, origin);
+                   });
         Rebounds<D, Real>(room(), state_, rows_, h_).forget_blows();
         keep();
     }
@@ -89,15 +92,20 @@ template <int D, class Real> class FigureContact {
 
     auto& room() { return *solver_.contacts; }
 
-    /// A pass over all rows for which acts(solver, row, origin), `kept` with softness of their own; then the links are
-    /// held.
-    template <class Acts> void solve_rows(const Soft& kept, const Soft& others, const Acts& acts) {
+    /// A pass over all rows for which acts(solver, row, origin), those kept with softness for the mass that they carry;
+    /// then the links are held.
+    template <class Soften, class Acts> void solve_rows(const Soften& soften, const Soft& others, const Acts& acts) {
+        const auto kept = soften(Real(1));
         room().projector.begin_rows(state_, threads_);
         const auto rows = rows_on_clusters();
         each_part([&](Part& part) {
             rows.each(part, [&](RowT& row, const Origin& origin, const Vector& surface) {
-                if (!row.is_held && acts(rows, row, origin)) rows.solve(row, row.keeps ? kept : others, surface);
+                if (!row.is_held && !row.is_repeated && acts(rows, row, origin))
+                    rows.solve(row, row.keeps ? kept : others, surface);
             });
+        });
+        RowIslands<D, Real>(room(), state_).solve(rows, soften, [&](const RowT& row, const Origin& origin) {
+            return acts(rows, row, origin);
         });
         room().projector.end_rows(state_, threads_);
         solve_held(kept, acts);

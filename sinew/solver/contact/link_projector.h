@@ -29,7 +29,7 @@ template <int D, class Real> class LinkProjector {
             packs_.set_active(links_);
         }
         list_clusters();
-        find_heaviest(world, solver.sweep_state);
+        weigh(world, solver.sweep_state);
         kernels_ = &kernels<D, Real>(solver.options.simd).links;
         is_current_ = false;
         is_marked_.assign(links_.components.size(), 0);
@@ -59,6 +59,14 @@ template <int D, class Real> class LinkProjector {
         const auto component = links_.component_of[slot];
         return component == links_.none ? Real(0) : heaviest_[component];
     }
+    /// Bodies are components of rigid links, and particles without any.
+    std::uint32_t body_of(Row slot) const {
+        const auto component = links_.component_of[slot];
+        return component != links_.none ? component : std::uint32_t(links_.components.size() + slot);
+    }
+    std::size_t bodies() const { return body_mass_.size(); }
+    Real mass_of_body(std::uint32_t body) const { return body_mass_[body]; } ///< of what can move, kg
+    Real unevenness() const { return unevenness_; }                          ///< ratio of the masses of bodies
     bool is_in_cluster(Row slot) const { return cluster_of_[slot] != links_.none; }
     std::span<const std::uint32_t> cluster_of() const { return cluster_of_; }
     /// Right lengths at the end of the displacements.
@@ -113,6 +121,8 @@ template <int D, class Real> class LinkProjector {
     const LinkKernels<D, Real>* kernels_ = nullptr;
     std::vector<ClusterMotion<D, Real>> motions_;
     std::vector<std::uint32_t> cluster_of_; ///< per slot; `none` outside of clusters, and in those left to the sweep
+    std::vector<Real> body_mass_;           ///< per body, kg
+    Real unevenness_ = 0;                   ///< heaviest body per lightest
     std::vector<Real> heaviest_;            ///< mass per component, kg
     bool notes_pushes_ = false;             ///< on members of clusters
     std::vector<char> is_marked_;           ///< per component
@@ -126,12 +136,19 @@ template <int D, class Real> class LinkProjector {
             cluster_of_[slot] =
                 links_.component_of[slot] == links_.none ? links_.none : links_.clusters.cluster_of(slot);
     }
-    void find_heaviest(const World<D, Real>& world, const SweepState<D, Real>& state) {
+    void weigh(const World<D, Real>& world, const SweepState<D, Real>& state) {
         heaviest_.assign(links_.components.size(), 0);
-        for (Row slot = 0; slot < links_.component_of.size(); ++slot)
+        body_mass_.assign(links_.components.size() + links_.component_of.size(), 0);
+        for (Row slot = 0; slot < links_.component_of.size(); ++slot) {
+            const Real mass = inverse_or_zero(world.particles.mobility[state.row_of[slot]]);
+            body_mass_[body_of(slot)] += mass;
             if (const auto component = links_.component_of[slot]; component != links_.none)
-                heaviest_[component] =
-                    max(heaviest_[component], inverse_or_zero(world.particles.mobility[state.row_of[slot]]));
+                heaviest_[component] = max(heaviest_[component], mass);
+        }
+        Real lightest = std::numeric_limits<Real>::max(), most = 0;
+        for (const Real mass : body_mass_)
+            if (mass > Real(0)) lightest = min(lightest, mass), most = max(most, mass);
+        unevenness_ = most / lightest;
     }
     LinkColumns<D, Real> columns(const SweepState<D, Real>& state) {
         return {state.position[0], state.displacement[0], state.stride(), state.mobility, motions_.data()};

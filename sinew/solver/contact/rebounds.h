@@ -54,7 +54,6 @@ template <int D, class Real> class Rebounds {
     }
 
   private:
-    static constexpr auto none = RigidLinks<D, Real>::none;
     ContactRoom<D, Real>& room_;
     SweepState<D, Real>& state_;
     const RowSolver<D, Real>& rows_;
@@ -105,19 +104,14 @@ template <int D, class Real> class Rebounds {
     /// Figures that a row meets are of one group; immovable members pass no blow on.
     void join_bodies() {
         auto& groups = room_.groups;
-        groups.make_room(links().components.size() + state_.size());
+        groups.make_room(room_.projector.bodies());
         for (const auto& one : room_.rebounds)
             for (const Row slot : HeldRows<D, Real>::members_of(row_of(one))) groups.separate(body_of(slot));
         for (const auto& one : room_.rebounds)
             for (const Row slot : HeldRows<D, Real>::members_of(row_of(one)))
                 if (state_.mobility[slot] > Real(0)) groups.join(body_of(row_of(one)), body_of(slot));
     }
-    const RigidLinks<D, Real>& links() const { return room_.projector.links(); }
-    /// Component of the rigid links, or a number of its own for a particle without any.
-    std::uint32_t body_of(Row slot) const {
-        const auto component = links().component_of[slot];
-        return component != none ? component : std::uint32_t(links().components.size() + slot);
-    }
+    std::uint32_t body_of(Row slot) const { return room_.projector.body_of(slot); }
     /// Body of the first member that can move.
     std::uint32_t body_of(const RowT& row) const {
         const auto members = HeldRows<D, Real>::members_of(row);

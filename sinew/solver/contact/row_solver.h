@@ -59,6 +59,18 @@ template <int D, class Real> class RowSolver {
         return dot(row.normal, relative_displacement(row) - surface);
     }
 
+    /// Adds an impulse to the row, normal and friction, and pushes what it acts on.
+    void add(RowT& row, const Vector& impulse) const {
+        const Real along = dot(row.normal, impulse);
+        const auto across = impulse - row.normal * along;
+        if (row.acts_on_clusters)
+            clusters(row).push(impulse);
+        else
+            particles(row).push(impulse);
+        turn(row, across);
+        row.multiplier += along;
+        row.tangent += across;
+    }
     void solve(RowT& row, const Softness<Real>& soft, const Vector& surface = {}) const {
         if (row.acts_on_clusters)
             solve(row, clusters(row), soft, surface);

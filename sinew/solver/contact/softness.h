@@ -9,9 +9,11 @@ namespace sinew::detail {
 template <class Real> struct Softness {
     Real rate = 0, mass = 1, impulse = 0;
 
-    static constexpr Softness contact() {
+    /// `load`: mass that the spring carries, of what the row moves.
+    static constexpr Softness contact(Real load = 1) {
         constexpr Real turn = Real(2) * pi<Real> / Real(12), damping = Real(10);
-        constexpr Real a1 = Real(2) * damping + turn, a2 = turn * a1, a3 = Real(1) / (Real(1) + a2);
+        constexpr Real a1 = Real(2) * damping + turn;
+        const Real a2 = turn * a1 * load, a3 = Real(1) / (Real(1) + a2);
         return {turn / a1, a2 * a3, a3};
     }
     static constexpr Softness hard() { return {1, 1, 0}; }
