@@ -5,12 +5,14 @@
 #include "sinew/world/world.h"
 
 #include <algorithm>
+#include <utility>
 
-/// Cloth that is gathered: pins nearer to each other than the cloth between them.
+/// Cloth that is gathered, pins nearer to each other than the cloth between them; or pulled, further than it reaches.
 namespace sinew::detail {
 
 /// Before a step, finds the tethered components that cannot give way. Their links push against each other, and tethers
-/// and repairs, which only pull, would work against them for ever. Cloth that lies exactly in a plane of two axes has
+/// and repairs, which only pull, would work against them for ever; or two pins pull them apart, and the tethers of one
+/// would work against those of the other. Cloth that lies exactly in a plane of two axes has
 /// no rounding errors across it and cannot buckle: it is given a velocity far below what can be seen.
 template <int D, class Real> class Crumpling {
   public:
@@ -19,8 +21,11 @@ template <int D, class Real> class Crumpling {
     void find() {
         for (auto& component : plan_.components) {
             component.is_crushed = false;
-            if (component.tethers == 0 || !is_gathered(component)) continue;
-            component.is_crushed = is_crushed(component);
+            if (component.tethers == 0) continue;
+            const auto [nearest, furthest] = spans(component);
+            component.is_crushed = furthest > 1 + slight || is_overstretched(component);
+            if (nearest > gathered) continue;
+            component.is_crushed = component.is_crushed || is_crushed(component);
             if constexpr (D == 3) leave_plane(component);
         }
     }
@@ -35,16 +40,35 @@ template <int D, class Real> class Crumpling {
     const Vector& position(Row slot) const { return world_.particles.position[state_.row_of[slot]]; }
     const Vector& velocity(Row slot) const { return world_.particles.velocity[state_.row_of[slot]]; }
 
-    /// True if two pins are nearer than 19/20 of the way along the cloth.
-    bool is_gathered(const Component& component) const {
-        constexpr Real share = Real(0.95);
+    static constexpr Real gathered = Real(0.95), slight = Real(1e-3);
+
+    /// Smallest and largest distance between two pins, as a fraction of the way along the cloth.
+    std::pair<Real, Real> spans(const Component& component) const {
         const auto tethers = std::span(plan_.tethers).subspan(component.first_tether, component.tethers);
+        Real least = limit::measure<Real>, most = 0;
         for (const auto& from : tethers)
             for (const auto& to : tethers) {
                 const auto apart = position(component.begin.slot + to.at) - position(component.begin.slot + from.at);
                 const Real half_per_square = plan_.half_per_max_length_square[from.first + to.at];
-                if (Real(2) * dot(apart, apart) * half_per_square < share * share && from.at != to.at) return true;
+                if (from.at == to.at) continue;
+                const Real square_of_span = Real(2) * dot(apart, apart) * half_per_square;
+                least = min(least, square_of_span), most = max(most, square_of_span);
             }
+        return {square_root(least), square_root(most)};
+    }
+
+    /// True if a particle is further from a pin than the cloth reaches, as after such a pull: tethers would bring it
+    /// back at once. The links do so slowly.
+    bool is_overstretched(const Component& component) const {
+        constexpr Real much = Real(1.05);
+        const Row first = component.begin.slot, last = plan_.end_of(component).slot;
+        for (const auto& from : std::span(plan_.tethers).subspan(component.first_tether, component.tethers)) {
+            const auto* half_per_square = plan_.half_per_max_length_square.data() + from.first;
+            for (Row slot = first; slot < last; ++slot) {
+                const auto apart = position(slot) - position(first + from.at);
+                if (Real(2) * dot(apart, apart) * half_per_square[slot - first] > square(much)) return true;
+            }
+        }
         return false;
     }
 
