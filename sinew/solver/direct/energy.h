@@ -58,6 +58,15 @@ template <int D> class BlockEnergy {
         return solve_.kinetic() - of_the_whole(momentum);
     }
 
+    /// Kinetic energy of the flight of a free block at the end of the substep, by the velocities at the start; zero of
+    /// any other.
+    double flight() const {
+        typename Solve::Vector momentum{};
+        for (const auto& node : solve_.unknowns())
+            momentum += (node.velocity + node.acceleration * solve_.substep()) * node.mass;
+        return of_the_whole(momentum);
+    }
+
     /// Kinetic energy due at the end of the substep, and the deficit.
     double due() const { return due_; }
     double missing() const { return max(due_ - after_, 0.0); }

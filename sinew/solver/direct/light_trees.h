@@ -2,10 +2,10 @@
 
 #include "sinew/solver/block.h"
 
-/// Light trees of a block: parts that hang on the rest by a single link and are much lighter, such as the tail of a
-/// rope below a heavy bead. A link in such a tree moves the lighter side and little else. With a penalty in proportion
-/// to all mass, the light masses would be lost to rounding in the elimination, and tolerances in proportion to all
-/// weight would be larger than any tension in the tree.
+/// Light trees of a block: parts that hang on one node of the rest and are much lighter, such as the tail of a rope
+/// below a heavy bead, or spokes on a hub with springs between them. A link in such a tree moves the lighter side and
+/// little else. With a penalty in proportion to all mass, the light masses would be lost to rounding in the
+/// elimination, and tolerances in proportion to all weight would be larger than any tension in the tree.
 namespace sinew::detail {
 
 inline constexpr double light = 1e-3; ///< mass of a light tree, at most, as a fraction of the block's
@@ -23,8 +23,8 @@ template <int D> class LightTrees {
         bool any = false;
         for (auto& link : links()) {
             const auto first = min(link.a, link.b);
-            const bool parts = link.entry != Blocks<D>::none && is_leaf(first);
-            const double share = parts ? min(node(first).behind, node(first).rest) / held_ : 1;
+            const bool joins = link.entry != Blocks<D>::none;
+            const double share = joins ? min(node(first).behind, node(first).rest) / held_ : 1;
             link.share = share < light ? share : 1;
             any = any || share < light;
         }
@@ -43,6 +43,8 @@ template <int D> class LightTrees {
     }
     /// True if all that was eliminated before the node is coupled with one later node.
     bool is_leaf(std::uint32_t i) const { return blocks_.first_entry[i + 1] == blocks_.first_entry[i] + 1; }
+    bool has_later(std::uint32_t i) const { return blocks_.first_entry[i + 1] > blocks_.first_entry[i]; }
+    /// The first of the later nodes that a node is coupled with.
     std::uint32_t parent(std::uint32_t i) const { return blocks_.entries[blocks_.first_entry[i]].node; }
 
     /// Immovable nodes, angles and cables hold the nodes that they act on.
@@ -58,22 +60,21 @@ template <int D> class LightTrees {
     void hold(std::uint32_t i) {
         if (i < end()) node(i).behind += held_;
     }
+    /// Mass behind a node: its own, and that of all nodes eliminated before which the rest meets through this one
+    /// first.
     void join(std::uint32_t i) {
-        if (is_leaf(i)) {
-            node(parent(i)).behind += node(i).behind;
-            return;
-        }
-        for (auto e = blocks_.first_entry[i]; e < blocks_.first_entry[i + 1]; ++e) hold(blocks_.entries[e].node);
+        if (has_later(i)) node(parent(i)).behind += node(i).behind;
     }
-    /// Mass on the other side of a leaf's links.
+    /// Mass on the other side. Links of a loop move all that hangs with the loop on one later node.
     void find_rest(std::uint32_t i) {
         auto& at = node(i);
-        const bool leaf = is_leaf(i);
-        at.rest = leaf ? node(parent(i)).behind + node(parent(i)).rest - at.behind : 0;
-        if (leaf)
-            at.rest = max(at.rest, node(parent(i)).mass);
-        else if (blocks_.first_entry[i + 1] > blocks_.first_entry[i])
-            at.rest = held_;
+        at.rest = 0;
+        if (!has_later(i)) return;
+        const auto& next = node(parent(i));
+        if (is_leaf(i))
+            at.rest = max(next.behind + next.rest - at.behind, next.mass);
+        else
+            at.behind = next.behind, at.rest = next.rest;
     }
 };
 
