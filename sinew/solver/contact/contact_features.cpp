@@ -61,7 +61,6 @@ template <int D, class Real> class FeatureFinder {
     void find_buried() {
         const auto& links = room_.projector.links();
         room_.is_buried.assign(links.components.size(), 0);
-        room_.settling.resize(links.components.size());
         room_.islands.reserve(room_.projector.bodies());
         room_.island_rows.reserve(4 * room_.particles.size());
         for (const auto& link : links.list)

@@ -34,13 +34,12 @@ template <int D, class Real> struct ContactRoom {
     detail::ContactList<D, Real> list;                   ///< pairs of features that may touch
     std::vector<ContactMultiplier<D, Real>> multipliers; ///< per candidate of the list
     std::vector<KeptContact<D, Real>> kept_at_walls;     ///< in the order of their keys
-    std::vector<HeldSettling<Real>> settling;            ///< per component of rigid links
     std::vector<KeptContact<D, Real>> written;           ///< copy of what the world keeps, after the last step
     detail::ContactParts<D, Real> parts;
-    std::vector<ReboundRow<Real>> rebounds;      ///< scratch
-    UnionFind groups;                            ///< of bodies; scratch
-    std::vector<IslandRow<D, Real>> island_rows; ///< of a substep
-    std::vector<IslandMasses<Real>> islands;     ///< by their first bodies
+    std::vector<ReboundRow<Real>> rebounds;                 ///< scratch
+    UnionFind groups;                                       ///< of bodies; scratch
+    std::vector<IslandRow<D, Real>> island_rows, held_rows; ///< of a substep
+    std::vector<IslandMasses<Real>> islands;                ///< by their first bodies
 
     detail::LinkProjector<D, Real> projector;
     detail::JointRows<D, Real> joints;

@@ -56,20 +56,14 @@ struct HeldRow {
     std::uint32_t component = 0; ///< of rigid links, of the light particle
 };
 
-/// Row of an island of bodies of unlike masses (row_islands.h). Impulses are h newton seconds.
+/// Row solved with others until they agree (settle_rows.h). Impulses are h newton seconds.
 template <int D, class Real> struct IslandRow {
-    std::uint32_t island = 0, part = 0, row = 0; ///< first body of the island; part, and index in it
+    std::uint32_t island = 0, part = 0, row = 0; ///< first body, or component of rigid links; part, and index in it
     Vec<D, Real> change{}, direction{};
 };
 
 /// Masses of the bodies of an island, kg.
 template <class Real> struct IslandMasses { Real lightest = std::numeric_limits<Real>::max(), heaviest = 0; };
-
-/// Impulses of the held rows of a component in a round.
-template <class Real> struct HeldSettling {
-    Real largest = 0, changed = 0; ///< h newton seconds
-    bool settled = false;
-};
 
 /// Row of a blow. Displacements are those along the normal in a substep.
 template <class Real> struct ReboundRow {

@@ -113,37 +113,20 @@ template <int D, class Real> class FigureContact {
     /// Rows beside heavy loads, until the impulses on each figure agree: friction along a rope adds up from post to
     /// post.
     template <class Acts> void solve_held(const Soft& soft, const Acts& acts) {
-        constexpr int rounds = 32;
-        constexpr Real exact = Real(0.02); // of the largest impulse
-        each_held([&](const auto& one) { settling_of(one) = {.changed = 1}; });
-        for (int i = 0; i < rounds; ++i) {
-            each_held([&](const auto& one) {
-                auto& figure = settling_of(one);
-                figure.settled = figure.settled || !(figure.changed > exact * figure.largest);
-            });
-            each_held([&](const auto& one) { settling_of(one) = {.settled = settling_of(one).settled}; });
-            bool any = false;
-            for (auto& part : room().parts.list)
-                for (const auto& one : part.held)
-                    if (!settling_of(one).settled && acts(rows_, part.rows[one.row], part.origins[one.row]))
-                        solve_held(part, one, soft), any = true;
-            if (!any) break;
+        constexpr int most = 32;
+        constexpr Real exact = Real(0.02);
+        const auto all = std::span(room().held_rows);
+        for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
+            while (last < all.size() && all[last].island == all[first].island) ++last;
+            settle_rows(
+                room(), all.subspan(first, last - first), {.most = most, .exact = exact},
+                [&](RowT& row, const Origin& origin) {
+                    if (acts(rows_, row, origin)) rows_.solve(row, nodes_of(row), soft, origin.surface_displacement);
+                },
+                [&](RowT& row, const Vector& impulse) { rows_.add(row, nodes_of(row), impulse); });
         }
     }
-    void solve_held(Part& part, const HeldRow& one, const Soft& soft) {
-        auto& row = part.rows[one.row];
-        const auto impulse = [&row] { return row.normal * row.multiplier + row.tangent; };
-        const auto before = impulse();
-        rows_.solve(row, HeldNodes<D, Real>(held_, rows_, row), soft, part.origins[one.row].surface_displacement);
-        auto& figure = settling_of(one);
-        figure.largest = max(figure.largest, row.multiplier);
-        figure.changed = max(figure.changed, norm(impulse() - before));
-    }
-    template <class Visit> void each_held(const Visit& visit) {
-        for (auto& part : room().parts.list)
-            for (const auto& one : part.held) visit(one);
-    }
-    HeldSettling<Real>& settling_of(const HeldRow& one) { return room().settling[one.component]; }
+    HeldNodes<D, Real> nodes_of(const RowT& row) const { return {held_, rows_, row}; }
     RowSolver<D, Real> rows_on_clusters() { return {state_, max_displacement(h_), room().projector.motions()}; }
     template <class Work> void each_part(const Work& work) { room().parts.run(threads_, work); }
 

@@ -1,28 +1,27 @@
 #pragma once
 
 #include "sinew/math/sort.h"
-#include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/contact/row_solver.h"
+#include "sinew/solver/contact/settle_rows.h"
 
 #include <tuple>
 
 /// Rows of contact between bodies of unlike masses: one pass would move a light body under a heavy one to and fro
 /// between it and the floor, and each time take from the heavy one a share of its speed as small as the ratio of the
-/// masses. The rows of such an island of bodies are solved together until they agree, by nonlinear conjugate gradients
-/// on passes (Silcowitz-Hansen, Niebe and Erleben 2010):
-///
-///     x' = pass(x);  r = x' - x;  b = |r|^2 / |r before|^2;   x'' = x' + b p,   p = b p + r,   anew where b > 1
+/// masses. The rows of such an island of bodies are solved together until they agree (settle_rows.h).
 namespace sinew::detail {
 
 template <int D, class Real> class RowIslands {
   public:
     using Vector = Vec<D, Real>;
     using RowT = ContactRow<D, Real>;
+    using Origin = ContactOrigin<D, Real>;
 
     RowIslands(ContactRoom<D, Real>& room, const SweepState<D, Real>& state) : room_(room), state_(state) {}
 
-    /// Lists and marks the rows of uneven islands, once they are made.
+    /// Lists the rows of uneven islands and those held, once they are made, and marks the former.
     void find() {
+        find_held();
         auto& rows = room_.island_rows;
         rows.clear();
         if (!(room_.projector.unevenness() > uneven)) return;
@@ -36,9 +35,7 @@ template <int D, class Real> class RowIslands {
                     rows.push_back({.island = island, .part = i, .row = k});
                 }
         }
-        sinew::sort(rows.begin(), rows.end(), [](const Listed& a, const Listed& b) {
-            return std::tie(a.island, a.part, a.row) < std::tie(b.island, b.part, b.row);
-        });
+        sort(rows);
     }
     /// Solves all islands for the rows for which acts(row, origin). `soften`: softness for the mass that a row carries,
     /// as a multiple of what it moves.
@@ -59,6 +56,19 @@ template <int D, class Real> class RowIslands {
     ContactRoom<D, Real>& room_;
     const SweepState<D, Real>& state_;
 
+    void find_held() {
+        auto& rows = room_.held_rows;
+        rows.clear();
+        for (std::uint32_t i = 0; i < contact_parts; ++i)
+            for (const auto& one : room_.parts.list[i].held)
+                rows.push_back({.island = one.component, .part = i, .row = one.row});
+        sort(rows);
+    }
+    static void sort(std::vector<Listed>& rows) {
+        sinew::sort(rows.begin(), rows.end(), [](const Listed& a, const Listed& b) {
+            return std::tie(a.island, a.part, a.row) < std::tie(b.island, b.part, b.row);
+        });
+    }
     /// Body of the first member that can move, if the row is one of those repeated.
     std::uint32_t body_of(const RowT& row) const {
         if (row.is_held || !row.keeps) return none;
@@ -97,38 +107,16 @@ template <int D, class Real> class RowIslands {
         return one.heaviest * inverse_or_zero(one.lightest);
     }
 
-    RowT& row_of(const Listed& one) { return room_.parts.list[one.part].rows[one.row]; }
-    const ContactOrigin<D, Real>& origin_of(const Listed& one) { return room_.parts.list[one.part].origins[one.row]; }
-    static Vector impulse_of(const RowT& row) { return row.normal * row.multiplier + row.tangent; }
-
     /// `load`: unevenness of the island.
     template <class Acts>
     void solve(const RowSolver<D, Real>& solver, std::span<Listed> island, Real load, const Softness<Real>& soft,
                const Acts& acts) {
-        const int most = int(min(Real(2) * load, Real(256)));
-        const Real exact = max(Real(1e-3) / load, Real(16) * std::numeric_limits<Real>::epsilon()); // of all impulses
-        Real before = 0;
-        for (int i = 0;; ++i) {
-            Real size = 0, changed = 0;
-            for (auto& one : island) {
-                const auto impulse = impulse_of(row_of(one));
-                if (acts(row_of(one), origin_of(one)))
-                    solver.solve(row_of(one), soft, origin_of(one).surface_displacement);
-                one.change = impulse_of(row_of(one)) - impulse;
-                size += dot(impulse, impulse), changed += dot(one.change, one.change);
-            }
-            if (i + 1 == most || !(changed > square(exact) * size)) return;
-            go_on(solver, island, before > Real(0) && changed <= before ? changed / before : Real(0));
-            before = changed;
-        }
-    }
-    /// Adds a share of the last direction, and takes up the new one.
-    void go_on(const RowSolver<D, Real>& solver, std::span<Listed> island, Real share) {
-        for (auto& one : island) {
-            one.direction *= share;
-            if (share > Real(0)) solver.add(row_of(one), one.direction);
-            one.direction += one.change;
-        }
+        settle_rows(
+            room_, island, {.most = int(min(Real(2) * load, Real(256))), .exact = Real(1e-3) / load},
+            [&](RowT& row, const Origin& origin) {
+                if (acts(row, origin)) solver.solve(row, soft, origin.surface_displacement);
+            },
+            [&](RowT& row, const Vector& impulse) { solver.add(row, impulse); });
     }
 };
 

@@ -59,14 +59,17 @@ template <int D, class Real> class RowSolver {
         return dot(row.normal, relative_displacement(row) - surface);
     }
 
-    /// Adds an impulse to the row, normal and friction, and pushes what it acts on.
+    /// Adds an impulse to the row, along the normal and of friction.
     void add(RowT& row, const Vector& impulse) const {
+        if (row.acts_on_clusters)
+            add(row, clusters(row), impulse);
+        else
+            add(row, particles(row), impulse);
+    }
+    template <class Nodes> void add(RowT& row, const Nodes& nodes, const Vector& impulse) const {
         const Real along = dot(row.normal, impulse);
         const auto across = impulse - row.normal * along;
-        if (row.acts_on_clusters)
-            clusters(row).push(impulse);
-        else
-            particles(row).push(impulse);
+        nodes.push(impulse);
         turn(row, across);
         row.multiplier += along;
         row.tangent += across;
