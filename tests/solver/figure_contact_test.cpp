@@ -90,7 +90,8 @@ TYPED_TEST(Figures2, AStackStandsAtAnySize) {
     }
 }
 
-// The floor under the light crate answers within the substep: the heavy one stays where it lands, and nothing gives way.
+// The floor under the light crate answers within the substep: the heavy one stays where it lands, and nothing gives
+// way.
 TYPED_TEST(Figures2, AHeavyCrateRestsOnALightOne) {
     for (const double ratio : {3.0, 10.0, 100.0, 1000.0})
         for (const double drop : {0.0, 0.5, 2.0}) {
