@@ -116,6 +116,15 @@ TEST(ImportSvg, RoleIsTheNearestName) {
     EXPECT_TRUE(has_note(imported, "1:", "neither filled nor stroked"));
 }
 
+TEST(ImportSvg, ObstaclesKeepTheirColours) {
+    const auto imported = import_text("a.svg", R"(<svg width="90" height="90"><g id="walls" stroke="#102030">
+        <rect id="r" width="90" height="9" fill="#ff8000"/><path id="p" d="M0 50L40 60" fill="none"/></g></svg>)");
+    EXPECT_EQ(json::to_text(at(imported, "/looks/r/fill")), "\"#ff8000\"");
+    EXPECT_EQ(json::to_text(at(imported, "/looks/r/color")), "\"#102030\"");
+    EXPECT_EQ(json::to_text(at(imported, "/looks/p/color")), "\"#102030\"");
+    EXPECT_TRUE(open_imported(imported));
+}
+
 TEST(ImportSvg, StiffShapesKeepTheirShape) {
     auto opened = open_imported(import_sample("svg/logo.svg"));
     ASSERT_TRUE(opened);

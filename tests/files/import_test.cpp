@@ -50,6 +50,35 @@ TEST(Import, NothingIsDroppedInSilence) {
     EXPECT_TRUE(has_note(import_sample("points/box.json"), "", "\"color\" is not taken"));
 }
 
+TEST(Import, LooksThatScenesHaveNotAreTold) {
+    const auto svg = import_text("a.svg", R"(<svg width='90' height='90'>
+<style>@import url(a.css); @media print { rect {fill:red} } g > rect {fill:red} circle {fill:blue}</style>
+<rect id='r' width='9' height='9' style='mix-blend-mode:multiply;transform:rotate(9deg)'>
+<animate attributeName='x'/></rect>
+<path d='M9 9L20 9L20 30' fill='none' stroke='red' marker-end='url(#m)'/><circle cx='50' cy='50' r='9'/></svg>)");
+    for (const char* part : {"@import url(a.css)", "@media print", "g > rect"}) EXPECT_TRUE(has_note(svg, "2:", part));
+    for (const char* part : {"mix-blend-mode", "transform"}) EXPECT_TRUE(has_note(svg, "3:", part)) << part;
+    EXPECT_TRUE(has_note(svg, "4:", "<animate>"));
+    EXPECT_TRUE(has_note(svg, "5:", "marker-end"));
+    EXPECT_EQ(json::to_text(at(svg, "/figures/2/looks/inside/fill")), "\"#0000ff\""); // the rule after the others
+
+    const auto obj = import_text("a.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 1 # weight\nf 1 2 3\n");
+    EXPECT_TRUE(has_note(obj, "1:", "colours of points are not taken"));
+    EXPECT_FALSE(has_note(obj, "1:", "and"));
+
+    const auto tiled = import_text("a.tmj", R"({"tilewidth":8,"tileheight":8,"width":9,"height":9,"layers":[
+{"type":"objectgroup","opacity":0.5,"tintcolor":"#ff0000","objects":[{"template":"a.tj","x":1,"y":1},
+{"x":8,"y":8,"width":8,"height":8,"properties":[{"name":"worth","value":7},{"name":"sensor","value":true}]}]}]})");
+    for (const char* part : {"opacity", "tintcolor", "templates"}) EXPECT_TRUE(has_note(tiled, "2:", part)) << part;
+    EXPECT_TRUE(has_note(tiled, "3:", "properties of one's own"));
+    EXPECT_FALSE(has_note(tiled, "3:", "more"));
+
+    auto robot = text_of(std::filesystem::path(source_dir()) / "tests/files/gltf/robot.gltf");
+    robot.insert(robot.find('{') + 1, R"("extensionsUsed": ["KHR_lights_punctual"],)");
+    const files::ImportFile lit{"a.gltf", "it", robot, std::filesystem::path(source_dir()) / "tests/files/gltf"};
+    EXPECT_TRUE(has_note(files::import_file(lit), "1:", "KHR_lights_punctual"));
+}
+
 std::string glb_of(const std::string& json, const std::string& binary = "") {
     const auto word = [](std::size_t n) {
         return std::string{char(n & 255U), char(n >> 8U & 255U), char(n >> 16U & 255U), char(n >> 24U)};
