@@ -52,13 +52,15 @@ void SyntaxReport::report(bool overflow, std::string_view reason) {
     if (overflow) return error(span, concat("the number ", shortened(token), " is too large"));
     if (cursor_.open_comment()) return report_open_comment();
     if (cursor_.at_end()) return report_end();
-    if (const Span word = cursor_.whole_word(state_.source); word.begin < span.begin && !separated)
+    const Span word = cursor_.whole_word(state_.source);
+    const bool closes = token == "}" || token == "]"; // the wrong bracket after a number is no part of it
+    if (word.begin < span.begin && !separated && !(closes && is_digit(text_[span.begin - 1])))
         return report_value(word, false);
     if (state_.complete) return report_rest(span);
     if (after_key && !separated) return error(span, concat("expected \":\" after the key, found ", found(token)));
     if (!after_key && !first && !separated)
         return error(span, concat("expected \",\" or \"", in_object ? "}" : "]", "\", found ", found(token)));
-    if (separated && !after_key && (token == "}" || token == "]")) {
+    if (separated && !after_key && closes) {
         const Span comma{state_.source, std::uint32_t(before_separator), std::uint32_t(before_separator + 1)};
         return error(comma, concat("a comma before ", in_quotes(token)), "remove it");
     }
