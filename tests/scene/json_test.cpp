@@ -104,7 +104,7 @@ TEST(Json, SyntaxErrorsAreWhereTheyAre) {
     EXPECT_EQ(first_error("{\"a\":1,}"), "1:7: error: a comma before \"}\" at /");
     EXPECT_EQ(first_error("[1,,2]"), "1:4: error: expected a value, found \",\" at /1");
     EXPECT_EQ(first_error("[1 2]"), "1:4: error: expected \",\" or \"]\", found \"2\" at /1");
-    EXPECT_EQ(first_error("{\"a\": [0, -9.81}}"), "1:15: error: expected \",\" or \"]\", found \"}\" at /a/2");
+    EXPECT_EQ(first_error("{\"a\": [0, -9.81}}"), "1:16: error: expected \",\" or \"]\", found \"}\" at /a/2");
     EXPECT_EQ(first_error("{\"a\":1 \"b\":2}"), "1:8: error: expected \",\" or \"}\", found the string \"b\" at /");
     EXPECT_EQ(first_error("{\"a\" 1}"), "1:6: error: expected \":\" after the key, found \"1\" at /a");
     EXPECT_EQ(first_error("{a: 1}"), "1:2: error: expected a key in double quotes, found \"a\" at /");
