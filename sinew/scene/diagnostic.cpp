@@ -319,12 +319,13 @@ constexpr std::array<Renamed, 9> renamed_words = {{{"angle", "turn"},
                                                    {"toughness", "damage_limit"},
                                                    {"wheel_quickens", "wheel_time_scale"}}};
 
-/// Words of other engines and of everyday speech; a path leads on from a word that is allowed.
-constexpr std::array<Renamed, 44> foreign_words = {{{"anchored", "pinned"},
+/// Words of other engines and of everyday speech; a path leads on from a word that is allowed, and a value from a key.
+constexpr std::array<Renamed, 47> foreign_words = {{{"anchored", "pinned"},
                                                     {"ball", "sphere"},
                                                     {"bounce", "contact.bounce"},
                                                     {"circle", "sphere"},
                                                     {"circle", "ball"},
+                                                    {"circle", "shape: sphere"},
                                                     {"color", "looks"},
                                                     {"colour", "color"},
                                                     {"crate", "box"},
@@ -363,7 +364,9 @@ constexpr std::array<Renamed, 44> foreign_words = {{{"anchored", "pinned"},
                                                     {"type", "prefab"},
                                                     {"type", "driver"},
                                                     {"type", "force"},
-                                                    {"wall", "half_space"}}};
+                                                    {"wall", "half_space"},
+                                                    {"wheel", "prefab: wheel"},
+                                                    {"sphere", "shape: sphere"}}};
 
 } // namespace
 
@@ -374,7 +377,8 @@ std::string_view new_name(std::string_view word) {
 
 std::string_view own_name(std::string_view word, std::span<const std::string_view> candidates) {
     for (const auto& [from, to] : foreign_words)
-        if (from == word && std::ranges::find(candidates, to.substr(0, to.find('.'))) != candidates.end()) return to;
+        if (from == word && std::ranges::find(candidates, to.substr(0, to.find_first_of(".:"))) != candidates.end())
+            return to;
     return {};
 }
 
