@@ -1,6 +1,5 @@
 #include "sinew/scene/read_models.h"
 #include "sinew/scene/scene.h"
-#include "sinew/scene/text.h"
 
 #include "canvas/png.h"
 #include "files/in/formats.h"
@@ -34,26 +33,16 @@ void check(const files::Imported& imported) {
     std::abort();
 }
 
-/// The reader under test.
-const files::ImportFormat* reader = nullptr;
-
 } // namespace
 
-/// A target for each reader: bin/import_fuzz_svg and so on are links to the program, and their ending says the format.
-extern "C" int LLVMFuzzerInitialize(int* /*count*/, char*** arguments) {
-    const std::string_view program = (*arguments)[0];
-    for (const auto* format : files::import_formats())
-        if (program.ends_with(concat("import_fuzz_", format->endings))) reader = format;
-    if (reader) return 0;
-    std::fputs("the program's name says which reader it feeds: import_fuzz_svg\n", stderr);
-    std::exit(2);
-}
-
-/// A file of the format: a scene, or refused with a message.
+/// The first byte chooses a format, the rest is a file of it: a scene, or refused with a message.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const files::ImportFile file{"fuzz", "fuzz", std::string(reinterpret_cast<const char*>(data), size)};
+    if (size < 2) return 0;
+    const auto formats = files::import_formats();
+    const auto& format = *formats[data[0] % formats.size()];
+    const files::ImportFile file{"fuzz", "fuzz", std::string(reinterpret_cast<const char*>(data) + 1, size - 1)};
     try {
-        check(reader->read(file, {}));
+        check(format.read(file, {}));
     } catch (const files::ImportError& error) {
         if (error.message.empty()) std::abort();
     }
