@@ -40,6 +40,10 @@ std::string read_file(const std::filesystem::path& path, std::size_t max, Bytes&
     return std::ferror(file.get()) ? std::strerror(errno) : "";
 }
 
+std::uint32_t number(std::span<const unsigned char> bytes) {
+    return std::uint32_t(bytes[0]) << 24U | std::uint32_t(bytes[1]) << 16U | std::uint32_t(bytes[2]) << 8U | bytes[3];
+}
+
 /// Signature and size of a PNG: eight bytes, then the IHDR chunk with width and height (PNG specification, 5.2,
 /// 11.2.2).
 struct Header {
@@ -54,13 +58,20 @@ struct Header {
         width = number(bytes.subspan(at_width));
         height = number(bytes.subspan(at_height));
     }
-
-  private:
-    static std::uint32_t number(std::span<const unsigned char> bytes) {
-        return std::uint32_t(bytes[0]) << 24U | std::uint32_t(bytes[1]) << 16U | std::uint32_t(bytes[2]) << 8U |
-               bytes[3];
-    }
 };
+
+/// True if all chunks, of a length, a type, data and a checksum, end within the file (PNG specification, 5.3): libpng
+/// makes room for a chunk before it reads any of it.
+bool are_chunks_whole(std::span<const unsigned char> bytes) {
+    constexpr std::size_t signature = 8, around = 12;
+    for (auto rest = bytes.subspan(signature); rest.size() >= around;) {
+        const std::size_t length = number(rest);
+        if (length > rest.size() - around) return false;
+        if (std::memcmp(&rest[4], "IEND", 4) == 0) return true;
+        rest = rest.subspan(around + length);
+    }
+    return true; // the last one says only that the file ends
+}
 
 cairo_status_t next_bytes(void* where, unsigned char* target, unsigned int length) {
     auto& rest = *static_cast<std::span<const unsigned char>*>(where);
@@ -111,7 +122,7 @@ ReadImage read_png(std::span<const std::byte> content, const std::string& name, 
         return problem(fmt::format("the image {} is {}x{}, {} pixels, of which only {} are left", in_quotes(name),
                                    header.width, header.height, pixels, limits.pixels),
                        "limits.pixels=N allows more for all images together");
-    if (auto image = decoded(bytes)) return {std::move(image), {}, {}};
+    if (auto image = are_chunks_whole(bytes) ? decoded(bytes) : nullptr) return {std::move(image), {}, {}};
     return problem(fmt::format("the image {} is broken", in_quotes(name)), "its data ends early or is damaged");
 }
 

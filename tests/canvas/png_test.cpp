@@ -75,6 +75,18 @@ TEST_F(PngFileRead, DamageIsSaid) {
     }
 }
 
+// A chunk that claims two gigabytes gets no room; bytes after the last chunk are nobody's.
+TEST_F(PngFileRead, ChunksEndWithinTheFile) {
+    write_png(folder / "a.png", 2, 2, four);
+    const auto good = get("a.png");
+    put("more.png", good + "and more");
+    EXPECT_EQ(read("more.png").problem, "");
+    auto bad = good;
+    bad.insert(good.find("IDAT") - 4, std::string("\x73\x6c\x29\x21tEXt", 8));
+    put("bad.png", bad);
+    EXPECT_EQ(read("bad.png").problem, "the image \"bad.png\" is broken");
+}
+
 TEST_F(PngFileRead, TooLargeIsRefusedBeforeItIsUnpacked) {
     write_png(folder / "a.png", 20, 10, std::vector<std::uint32_t>(200));
     limits.pixels = 199;
