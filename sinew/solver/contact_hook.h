@@ -45,7 +45,7 @@ inline const ContactHook* set_contact_hook(const ContactHook*) {
 }
 #else
 inline thread_local constinit const ContactHook* contact_hook_of_thread = nullptr;
-/// Of the steps that this thread takes; null: none.
+/// Hook of the steps that this thread takes; null: none.
 inline const ContactHook* contact_hook() {
     return contact_hook_of_thread;
 }

@@ -63,6 +63,7 @@ template <int D, class Real> class FeatureFinder {
         room_.is_buried.assign(links.components.size(), 0);
         room_.islands.reserve(room_.projector.bodies());
         room_.island_rows.reserve(4 * room_.particles.size());
+        room_.held_rows.reserve(room_.particles.size());
         for (const auto& link : links.list)
             for (const auto& [held, moving] : {std::pair{link.a, link.b}, {link.b, link.a}})
                 if (const Row row = solver_.sweep_state.row_of[held]; world_.particles.mobility[row] == Real(0))
