@@ -56,20 +56,32 @@ endif()
 
 # --- command line ------------------------------------------------------------------------------------------------
 sinew_sources(apps/cli)
+# `render` alone is all that the first picture needs.
+set(render_sources ${sources})
+list(FILTER render_sources INCLUDE REGEX "/(main|arguments|catalogue|console|help|pointer_file|process_limits|render|scene_file|scrap|shooting|stage|stepping|watched_files)[.]cpp")
+list(APPEND render_sources ${PROJECT_SOURCE_DIR}/player/action.cpp) # what a pointer does
+
+# sinew_command(NAME SOURCE...)
+function(sinew_command name)
+    add_executable(${name} ${ARGN} ${headers})
+    target_link_libraries(${name} PRIVATE canvas sinew fmt::fmt CLI11::CLI11)
+    sinew_app(${name})
+    target_precompile_headers(${name} REUSE_FROM canvas)
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endfunction()
+
 if(SINEW_ONLY_RENDER)
-    list(FILTER sources INCLUDE REGEX "/(main|arguments|catalogue|console|help|pointer_file|render|scene_file|scrap|shooting|stage|stepping|watched_files)[.]cpp")
-    list(APPEND sources ${PROJECT_SOURCE_DIR}/player/action.cpp) # what a pointer does
-endif()
-add_executable(sinew_cli ${sources} ${headers})
-target_link_libraries(sinew_cli PRIVATE canvas sinew fmt::fmt CLI11::CLI11)
-if(SINEW_ONLY_RENDER)
+    sinew_command(sinew_cli ${render_sources})
     target_compile_definitions(sinew_cli PRIVATE SINEW_ONLY_COMMAND=render)
 else()
+    sinew_command(sinew_cli ${sources})
     target_link_libraries(sinew_cli PRIVATE $<TARGET_NAME_IF_EXISTS:window> play bench sinew_files)
+    if(SINEW_TESTS) # a file that it lacks is told by the linker alone
+        sinew_command(render_alone ${render_sources})
+        target_compile_definitions(render_alone PRIVATE SINEW_ONLY_COMMAND=render)
+    endif()
 endif()
-sinew_app(sinew_cli)
-target_precompile_headers(sinew_cli REUSE_FROM canvas)
 set_source_files_properties(apps/cli/catalogue.cpp PROPERTIES
     COMPILE_DEFINITIONS SINEW_SCENES_DIR="${PROJECT_SOURCE_DIR}/scenes")
 set_source_files_properties(apps/cli/bench_weights.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # shared names
-set_target_properties(sinew_cli PROPERTIES OUTPUT_NAME sinew RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set_target_properties(sinew_cli PROPERTIES OUTPUT_NAME sinew)

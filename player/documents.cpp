@@ -2,6 +2,7 @@
 
 #include "player/files.h"
 #include "player/play.h"
+#include "player/recording_format.h"
 #include "player/scene_edit.h"
 
 #include <algorithm>

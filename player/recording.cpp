@@ -228,11 +228,6 @@ Positions positions_of(const Session& session) {
 
 } // namespace
 
-bool is_recording(std::span<const std::byte> bytes) {
-    return bytes.size() >= format::magic.size() &&
-           std::memcmp(bytes.data(), format::magic.data(), format::magic.size()) == 0;
-}
-
 std::optional<Recording> read_recording(std::span<const std::byte> bytes, const SceneOpener& open,
                                         SnapshotError& error) {
     return RecordingReader(bytes, open).read(error);

@@ -94,8 +94,6 @@ struct Recording {
     std::optional<std::size_t> cut_short;
 };
 
-/// True if bytes begin like a recording.
-bool is_recording(std::span<const std::byte> bytes);
 /// Reads a recording; nothing and an error for anything but a recording of this version, undamaged up to its end or up
 /// to an entry that is not complete. Scenes of edits are opened by `open`.
 std::optional<Recording> read_recording(std::span<const std::byte> bytes, const SceneOpener& open,

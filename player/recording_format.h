@@ -4,6 +4,7 @@
 #include "sinew/snapshot/bytes.h"
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string_view>
 
@@ -47,3 +48,13 @@ inline std::uint16_t head_checksum(std::uint64_t chain, std::span<const std::byt
 }
 
 } // namespace sinew::play::format
+
+namespace sinew::play {
+
+/// True if bytes begin like a recording.
+inline bool is_recording(std::span<const std::byte> bytes) {
+    return bytes.size() >= format::magic.size() &&
+           std::memcmp(bytes.data(), format::magic.data(), format::magic.size()) == 0;
+}
+
+} // namespace sinew::play

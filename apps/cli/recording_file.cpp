@@ -3,6 +3,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/scene_file.h"
 #include "apps/cli/session_file.h"
+#include "player/recording_format.h"
 
 #include <limits>
 

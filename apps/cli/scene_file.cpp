@@ -7,7 +7,7 @@
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
 #include "canvas/png.h"
-#include "player/recording.h"
+#include "player/recording_format.h"
 
 #include <cerrno>
 #include <cstring>
