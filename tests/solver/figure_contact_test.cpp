@@ -425,7 +425,7 @@ TYPED_TEST(Figures2, ASlackRopeDoesNotHold) {
 }
 
 // A rope that snaps taut is not stretched. With the usual substeps that holds for a weight of 20 times a particle's
-// mass; one of 2000 times takes 64 (docs/concepts/contact.md, "Not yet").
+// mass; one of 2000 times takes 64 (docs/concepts/contact.md, "Limits").
 TYPED_TEST(Figures2, ARopeThatSnapsTautHolds) {
     using Real = TypeParam;
     for (const auto& [weight, substeps] : {std::pair{0.2, 0}, {20.0, 64}}) {
