@@ -16,7 +16,7 @@ const rows = Array.from({ length: strings }, (_, i) => simulation.rowsOf(`string
 
 new p5((p) => {
     const clock = new Clock();
-    let before = [-200, 330];
+    let before = /** @type {[number, number]} */ ([-200, 330]);
 
     p.setup = () => {
         p.createCanvas(820, 560);
@@ -29,7 +29,7 @@ new p5((p) => {
         const isOver = p.mouseX > 0 && p.mouseY > 0;
         const sweep = 410 + 420 * Math.sin(p.millis() / 2000);
         const target = isOver ? [p.mouseX, p.mouseY] : [sweep, 330]; // moves by itself until there is a mouse
-        const hand = target.map((number, k) => p.lerp(before[k], number, 0.15));
+        const hand = /** @type {[number, number]} */ ([p.lerp(before[0], target[0], 0.15), p.lerp(before[1], target[1], 0.15)]);
         if (p.mouseIsPressed) simulation.cut(before, hand);
         simulation.moveCollider("hand", hand);
         before = hand;

@@ -35,6 +35,7 @@ function draw() {
         men.circle(positions[2 * row], positions[2 * row + 1], Math.max(3, radii[row])).fill(colors[figureIndices[row] % 4]);
 }
 
+/** @type {(event: PointerEvent) => [number, number]} */
 const place = ({ offsetX, offsetY }) => [offsetX, offsetY];
 app.canvas.addEventListener("pointerdown", (event) => simulation.grab(place(event), 40));
 app.canvas.addEventListener("pointermove", (event) => simulation.drag(place(event)));

@@ -5,16 +5,18 @@ import { Canvas2DPainter, load } from "sinew";
 
 const engine = load(); // once for all components
 
+/** @param {{ scene: object, paused?: boolean, width?: number, height?: number, onSteps?: (steps: number) => void }} props */
 export function Sinew({ scene, paused = false, width = 640, height = 400, onSteps }) {
-    const canvas = useRef(null), player = useRef(null);
+    const canvas = useRef(/** @type {HTMLCanvasElement | null} */ (null)), player = useRef(/** @type {import("sinew").Player | null} */ (null));
 
     useEffect(() => {
         let frame = 0, isGone = false;
         void engine.then((loaded) => {
-            if (isGone) return;
+            const context = canvas.current?.getContext("2d");
+            if (isGone || !context) return;
             const playing = (player.current = loaded.play(scene));
-            const painter = new Canvas2DPainter(canvas.current.getContext("2d"));
-            playing.resize(canvas.current.width, canvas.current.height, devicePixelRatio);
+            const painter = new Canvas2DPainter(context);
+            playing.resize(context.canvas.width, context.canvas.height, devicePixelRatio);
             let last = performance.now();
             frame = requestAnimationFrame(function next(now) {
                 playing.advance((now - last) / 1000);
@@ -33,6 +35,7 @@ export function Sinew({ scene, paused = false, width = 640, height = 400, onStep
     }, [scene, width, height, onSteps]);
     useEffect(() => void engine.then(() => player.current?.pause(paused)), [paused, scene]);
 
+    /** @param {React.PointerEvent} event */
     const move = ({ nativeEvent: { offsetX, offsetY } }) => player.current?.pointerMove(offsetX * devicePixelRatio, offsetY * devicePixelRatio);
     return (
         <canvas ref={canvas} width={width * devicePixelRatio} height={height * devicePixelRatio} style={{ width, height }}
@@ -60,4 +63,4 @@ function App() {
         </main>
     );
 }
-createRoot(document.getElementById("root")).render(<App />);
+createRoot(/** @type {HTMLElement} */ (document.getElementById("root"))).render(<App />);

@@ -42,13 +42,14 @@ scene.add(cloth);
 
 // The pointer takes the nearest corner of the triangle that it is on, and moves it in a plane that faces the camera.
 const raycaster = new THREE.Raycaster(), plane = new THREE.Plane(), target = new THREE.Vector3();
+/** @param {PointerEvent} event */
 function aim({ clientX, clientY }) {
     raycaster.setFromCamera(new THREE.Vector2((clientX / innerWidth) * 2 - 1, 1 - (clientY / innerHeight) * 2), camera);
 }
 renderer.domElement.addEventListener("pointerdown", (event) => {
     aim(event);
     const [hit] = raycaster.intersectObject(cloth);
-    if (!hit) return;
+    if (!hit?.face) return;
     plane.setFromNormalAndCoplanarPoint(camera.getWorldDirection(new THREE.Vector3()), hit.point);
     simulation.grab(simulation.particle(hit.face.a));
     simulation.drag(hit.point.toArray());

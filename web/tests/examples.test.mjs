@@ -30,6 +30,10 @@ test("none has 150 lines", async () => {
         assert.ok((await readFile(path.join(folder, name), "utf8")).split("\n").length <= 150, name);
 });
 
+test("their types are right, strictly", () => {
+    execFileSync("npx", ["tsc", "--project", "."], { cwd: folder, stdio: ["ignore", "inherit", "inherit"] });
+});
+
 for (const name of ["three", "pixi", "phaser", "p5", "react"])
     test(`${name} moves, and follows the pointer`, () =>
         site.on({ viewport: { width: 900, height: 620 } }, `${name}.html`, async (page) => {
