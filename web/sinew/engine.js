@@ -1,4 +1,5 @@
 import { SceneErrors, SinewError, status } from "./errors.js";
+import { diagnostic, imageFile, modelFile, openOptions } from "./layout.js";
 import { Memory } from "./memory.js";
 import { Player } from "./player.js";
 import { Simulation } from "./simulation.js";
@@ -124,9 +125,8 @@ export class Engine {
         const { data } = this;
         return Array.from({ length: this.exports.sinew_diagnostic_count() }, (_, i) => {
             this.call("sinew_diagnostic_at", i, data.result);
-            const [source, path, message, help, text] = [0, 4, 8, 12, 16].map((at) => data.textFrom(data.result + at));
-            const [line, column, length, isOverride] = [20, 24, 28, 32].map((at) => data.uint(data.result + at));
-            return { line, column, length, path, message, help, source, isOverride: isOverride !== 0, text };
+            const { isOverride, ...error } = data.read(diagnostic, data.result);
+            return { ...error, isOverride: isOverride !== 0 };
         });
     }
 
@@ -168,12 +168,12 @@ export function valueText(value) {
 
 function optionsIn(arena, { name, overrides = [], images = {}, models = {} }) {
     const texts = pairs(overrides).map((pair) => arena.text(pair));
-    const sizes = Object.entries(images).flatMap(([file, { width, height }]) => [arena.text(file), width, height]);
-    const files = Object.entries(models).flatMap(([file, text]) => [arena.text(file), arena.text(text)]);
-    return arena.uints([
-        name ? arena.text(name) : 0,
-        arena.uints(texts), texts.length,
-        arena.uints(sizes), sizes.length / 3,
-        arena.uints(files), files.length / 2,
-    ]);
+    const sizes = Object.entries(images).map(([file, { width, height }]) => ({ name: arena.text(file), width, height }));
+    const files = Object.entries(models).map(([file, text]) => ({ name: arena.text(file), text: arena.text(text) }));
+    return arena.struct(openOptions, {
+        name: name ?? "",
+        overrides: arena.uints(texts), overrideCount: texts.length,
+        images: arena.structs(imageFile, sizes), imageCount: sizes.length,
+        models: arena.structs(modelFile, files), modelCount: files.length,
+    });
 }

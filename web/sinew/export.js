@@ -1,7 +1,6 @@
 // Files of other programs, written by a module of its own: sinew-export.wasm. See bindings/c/sinew.h, "export".
 import { status } from "./errors.js";
-
-const specBytes = 56; // of sinew_export_spec
+import { exportSpec } from "./layout.js";
 
 /** Writes scenes as models and moving vectors. */
 export class Exporter {
@@ -28,16 +27,9 @@ export class Exporter {
     begin(name, { fps, figures, error, size, background, follow, caption }) {
         const { data } = this.engine;
         return data.within((arena) => {
-            const spec = arena.allocate(specBytes);
-            const text = (words) => (words === "" ? 0 : arena.text(words));
-            const names = arena.uints(figures.map((figure) => arena.text(figure)));
-            const [behind, followed, line] = [background, follow, caption].map(text);
-            const words = [[0, specBytes], [4, figures.length], [8, names], [12, 0], [32, size[0]], [36, size[1]], [40, behind], [44, followed], [48, line], [52, 0]];
-            const called = arena.text(name);
-            for (const [at, word] of words) data.view.setUint32(spec + at, word, true);
-            data.view.setFloat64(spec + 16, fps, true);
-            data.view.setFloat64(spec + 24, error, true);
-            this.engine.call("sinew_export_begin", called, spec, data.result);
+            const spec = arena.struct(exportSpec, { figureCount: figures.length, figures: arena.uints(figures.map((figure) => arena.text(figure))),
+                fps, error, width: size[0], height: size[1], background, follow, caption });
+            this.engine.call("sinew_export_begin", arena.text(name), spec, data.result);
             return data.uint(data.result);
         });
     }

@@ -237,6 +237,10 @@ export interface Contact {
     otherFigure: number | null;
     collider: ColliderId | null; // null: a figure or a plane is touched
     colliderName: string;       // as in the scene; may be empty; "bounds": a plane of world.bounds
+    /** Where it pressed hardest, on the surface of a collider or between two figures, and its normal, towards `particle`. */
+    point: number[];
+    normal: number[];
+    speed: number;              // of approach along the normal there, before the contact acted
 }
 
 /** A circle or sphere by its radius, or a box by half of its edges, turned by `turn` radians (in 3D about an axis, z by default). */

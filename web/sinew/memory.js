@@ -1,9 +1,10 @@
-// The memory of a module: texts and structs in and out. Typed arrays are made anew when the memory has grown.
+// The memory of a module: texts and structs in and out, as layout.js has them. Typed arrays are made anew when the memory has grown.
+import { point as pointLayout } from "./layout.js";
 
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-/** Bytes for the results of one call: the largest struct of bindings/c/sinew.h has 88. */
+/** Bytes for the results of one call: the largest struct that is one has 120. */
 const resultBytes = 256;
 
 export class Memory {
@@ -37,6 +38,44 @@ export class Memory {
     float(at) { return this.view.getFloat32(at, true); }
     double(at) { return this.view.getFloat64(at, true); }
     id(at) { return this.view.getBigUint64(at, true); }
+
+    /** A value of a kind of layout.js; a point is an array of three numbers. */
+    value(kind, at) {
+        switch (kind) {
+        case "double": return this.double(at);
+        case "float": return this.float(at);
+        case "id": return this.id(at);
+        case "text": return this.textFrom(at);
+        case pointLayout: return [0, 8, 16].map((from) => this.double(at + from));
+        default: return typeof kind === "string" ? this.uint(at) : this.read(kind, at);
+        }
+    }
+
+    /** The fields of a struct; several numbers are an array. */
+    read(struct, at) {
+        const fields = {};
+        for (const [name, from, kind, count] of struct.fields)
+            fields[name] = count === undefined ? this.value(kind, at + from) : this.values(kind, at + from, count);
+        return fields;
+    }
+
+    values(kind, at, count) {
+        const bytes = kind === "double" || kind === "id" ? 8 : 4;
+        return Array.from({ length: count }, (_, i) => this.value(kind, at + bytes * i));
+    }
+
+    /** Writes fields of a struct; texts are addresses already. */
+    write(struct, at, values) {
+        for (const [name, from, kind] of struct.fields) {
+            const value = values[name];
+            if (value === undefined) continue;
+            if (kind === "double") this.view.setFloat64(at + from, value, true);
+            else if (kind === "float") this.view.setFloat32(at + from, value, true);
+            else if (kind === "id") this.view.setBigUint64(at + from, value, true);
+            else if (kind === pointLayout) value.forEach((number, i) => this.view.setFloat64(at + from + 8 * i, number, true));
+            else this.view.setUint32(at + from, Number(value), true);
+        }
+    }
 
     /** The text at an address, up to its zero byte. */
     textAt(at) {
@@ -102,6 +141,23 @@ class Arena {
     uints(numbers) {
         const at = this.allocate(4 * numbers.length);
         numbers.forEach((number, i) => this.memory.view.setUint32(at + 4 * i, number, true));
+        return at;
+    }
+
+    /** A struct with these fields, and zeros: texts as texts, its size as its first field asks for. */
+    struct(struct, values) {
+        return this.structs(struct, [values]);
+    }
+
+    structs(struct, list) {
+        const { size, fields } = struct, at = this.allocate(size * list.length);
+        this.memory.bytes.fill(0, at, at + size * list.length);
+        list.forEach((values, i) => {
+            const own = { structSize: size, ...values };
+            for (const [name, , kind] of fields)
+                if (kind === "text" && typeof own[name] === "string") own[name] = own[name] === "" ? 0 : this.text(own[name]);
+            this.memory.write(struct, at + size * i, own);
+        });
         return at;
     }
 

@@ -1,8 +1,13 @@
+import { item as itemLayout, picture as pictureLayout } from "./layout.js";
+
 /** Shapes of items: numbers of sinew_shape in bindings/c/sinew.h. */
 export const Shape = Object.freeze({ polyline: 0, loop: 1, disc: 2, polygon: 3, image: 4, text: 5, pane: 6 });
 
-/** 32-bit words of an item: shape, first point, count, width, red, green, blue, alpha, number, across. */
-export const itemWords = 10;
+/** 32-bit words of an item. */
+export const itemWords = itemLayout.size / 4;
+
+/** Words of the fields of an item. */
+const word = Object.fromEntries(itemLayout.fields.map(([name, from]) => [name, from / 4]));
 
 class Base {
     get length() {
@@ -12,10 +17,11 @@ class Base {
     item(index) {
         const at = index * itemWords;
         const { words, floats, points } = this;
-        const first = words[at + 1];
+        const first = words[at + word.first], color = at + word.color;
         return {
-            shape: words[at], points: points.subarray(2 * first, 2 * (first + words[at + 2])), width: floats[at + 3],
-            color: [floats[at + 4], floats[at + 5], floats[at + 6], floats[at + 7]], number: words[at + 8], across: words[at + 9],
+            shape: words[at + word.shape], points: points.subarray(2 * first, 2 * (first + words[at + word.count])), width: floats[at + word.width],
+            color: [floats[color], floats[color + 1], floats[color + 2], floats[color + 3]], number: words[at + word.number],
+            across: words[at + word.across],
         };
     }
 
@@ -30,14 +36,12 @@ export class Picture extends Base {
         super();
         const { data } = engine;
         this.engine = engine;
-        [this.width, this.height] = [data.uint(at), data.uint(at + 4)];
-        this.background = [8, 12, 16, 20].map((offset) => data.float(at + offset));
-        this.places = { points: data.uint(at + 24), pointCount: data.uint(at + 28), items: data.uint(at + 32), itemCount: data.uint(at + 36) };
+        const { width, height, background, textCount, imageCount, ...places } = data.read(pictureLayout, at);
+        Object.assign(this, { width, height, background, places });
         const list = (count, name) => Array.from({ length: count }, (_, i) => {
             engine.call(name, handle, i, data.result);
             return data.textFrom(data.result);
         });
-        const [textCount, imageCount] = [data.uint(at + 40), data.uint(at + 44)];
         this.texts = list(textCount, textName);
         this.images = list(imageCount, imageName);
     }

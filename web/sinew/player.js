@@ -1,6 +1,7 @@
 import { valueText } from "./engine.js";
 import { SinewError, status } from "./errors.js";
 import { Handle } from "./handle.js";
+import { playerState } from "./layout.js";
 import { Picture } from "./picture.js";
 import { Simulation } from "./simulation.js";
 
@@ -82,16 +83,10 @@ export class Player extends Handle {
     hash() { return this.simulation.hash(); }
 
     state() {
-        const { data } = this.engine;
-        const at = this.ask("sinew_player_get_state");
-        const [step, firstStep, endStep, timeScale, share] = [0, 8, 16, 24, 32].map((offset) => data.double(at + offset));
-        const [isPaused, panes, isEdited, isHolding, overlays] = [40, 44, 48, 52, 56].map((offset) => data.uint(at + offset));
-        const [tool, theme, hovered, selected, message, undo, redo] =
-            [60, 64, 68, 72, 76, 80, 84].map((offset) => data.textFrom(at + offset));
+        const { isPaused, isEdited, isHolding, overlays, ...state } = this.engine.data.read(playerState, this.ask("sinew_player_get_state"));
         return {
-            step, firstStep, endStep, timeScale, share, isPaused: isPaused !== 0, panes, isEdited: isEdited !== 0,
-            isHolding: isHolding !== 0, overlays: this.engine.overlaysOf(overlays), tool, theme, hovered, selected, message,
-            undo, redo,
+            ...state, isPaused: isPaused !== 0, isEdited: isEdited !== 0, isHolding: isHolding !== 0,
+            overlays: this.engine.overlaysOf(overlays),
         };
     }
 

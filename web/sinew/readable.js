@@ -1,4 +1,5 @@
 import { Handle } from "./handle.js";
+import { constraintState, event, figure as figureLayout, info as infoLayout, particleState, report, view } from "./layout.js";
 
 /** Numbers of sinew_column in bindings/c/sinew.h. */
 const column = { position: 0, previous: 1, velocity: 2, inverseMass: 3, radius: 4, figure: 5, ends: 6, mobility: 7, asleep: 8, tension: 9, strain: 10, triangles: 11 };
@@ -15,15 +16,10 @@ export class Readable extends Handle {
     }
 
     info() {
-        const { data } = this.engine;
-        const at = this.ask("sinew_get_info");
-        const uint = (offset) => data.uint(at + offset);
-        return {
-            dimension: uint(0), precision: uint(4) === 4 ? "float" : "double", particles: uint(8), constraints: uint(12),
-            figures: uint(16), isClassic: uint(20) !== 0, yIsDown: uint(24) !== 0, isReadOnly: uint(28) !== 0,
-            rate: data.double(at + 32), seconds: data.double(at + 40), perMetre: data.double(at + 48),
-            perKilogram: data.double(at + 56), perSecond: data.double(at + 64), size: [uint(72), uint(76)], asleep: uint(80),
-        };
+        const { realBytes, isClassic, yIsDown, readOnly, viewWidth, viewHeight, ...info } =
+            this.engine.data.read(infoLayout, this.ask("sinew_get_info"));
+        return { ...info, precision: realBytes === 4 ? "float" : "double", isClassic: isClassic !== 0, yIsDown: yIsDown !== 0,
+            isReadOnly: readOnly !== 0, size: [viewWidth, viewHeight] };
     }
 
     get particleCount() { return this.info().particles; }
@@ -35,26 +31,19 @@ export class Readable extends Handle {
     }
 
     report() {
-        const at = this.ask("sinew_get_report");
-        const names = ["seconds", "steps", "kinetic", "potential", "stored", "energyLost", "stretchMax", "stretchMean", "maxSpeed"];
-        return Object.fromEntries(names.map((name, i) => [name, this.engine.data.double(at + 8 * i)]));
+        return this.engine.data.read(report, this.ask("sinew_get_report"));
     }
 
     events(since = 0) {
         const { data } = this.engine;
         const count = data.uint(this.ask("sinew_event_count"));
-        return Array.from({ length: Math.max(0, count - since) }, (_, i) => {
-            const at = this.ask("sinew_event_at", since + i);
-            return { seconds: data.double(at), what: data.textFrom(at + 8), where: data.textFrom(at + 12), islands: data.uint(at + 16),
-                with: data.textFrom(at + 20), impulse: data.double(at + 24) };
-        });
+        return Array.from({ length: Math.max(0, count - since) }, (_, i) => data.read(event, this.ask("sinew_event_at", since + i)));
     }
 
     column(number) {
         const { data } = this.engine;
-        const at = this.ask("sinew_get_column", number);
-        const [address, rows, components, bytes, isInteger] = [0, 4, 8, 12, 16].map((offset) => data.uint(at + offset));
-        const Numbers = isInteger ? Uint32Array : bytes === 4 ? Float32Array : Float64Array;
+        const { data: address, rows, components, numberBytes, isInteger } = data.read(view, this.ask("sinew_get_column", number));
+        const Numbers = isInteger ? Uint32Array : numberBytes === 4 ? Float32Array : Float64Array;
         return rows === 0 ? new Numbers(0) : new Numbers(data.buffer, address, rows * components);
     }
 
@@ -76,9 +65,8 @@ export class Readable extends Handle {
         const figures = [];
         for (let index = 0; index < this.info().figures; ++index) {
             if (!this.engine.finds("sinew_figure_at", this.handle, index, data.result)) continue;
-            const at = data.result;
-            figures.push({ index, name: data.textFrom(at), prefab: data.textFrom(at + 4), particles: data.uint(at + 8),
-                isQuarantined: data.uint(at + 12) !== 0 });
+            const { isQuarantined, ...figure } = data.read(figureLayout, data.result);
+            figures.push({ index, ...figure, isQuarantined: isQuarantined !== 0 });
         }
         return figures;
     }
@@ -120,18 +108,12 @@ export class Readable extends Handle {
     }
 
     stateOf(particle) {
-        const { data } = this.engine;
-        const at = this.ask("sinew_get_particle", this.particle(particle));
-        const vector = (from) => Array.from({ length: this.dimension }, (_, i) => data.double(at + from + 8 * i));
-        return { position: vector(0), velocity: vector(24), inverseMass: data.double(at + 48), radius: data.double(at + 56),
-            figure: data.uint(at + 64), isAsleep: data.uint(at + 68) !== 0 };
+        const { position, velocity, isAsleep, ...state } = this.engine.data.read(particleState, this.ask("sinew_get_particle", this.particle(particle)));
+        return { position: position.slice(0, this.dimension), velocity: velocity.slice(0, this.dimension), ...state, isAsleep: isAsleep !== 0 };
     }
 
     loadOf(constraint) {
-        const { data } = this.engine;
-        const at = this.ask("sinew_get_constraint", this.constraint(constraint));
-        const [measure, error, strain, tension] = [0, 8, 16, 24].map((offset) => data.double(at + offset));
-        return { measure, error, strain, tension };
+        return this.engine.data.read(constraintState, this.ask("sinew_get_constraint", this.constraint(constraint)));
     }
 
     constraintsOf(kind) {

@@ -1,4 +1,5 @@
 import { valueText } from "./engine.js";
+import { constraintSpec, contact, particleSpec, point as pointLayout, rayHit, region } from "./layout.js";
 import { Picture } from "./picture.js";
 import { Readable } from "./readable.js";
 import { colliderSpec, figureSpec } from "./specs.js";
@@ -41,11 +42,10 @@ export class Simulation extends Readable {
         const count = data.uint(this.ask("sinew_contact_count"));
         const orNull = (number, nothing) => (number === nothing ? null : number);
         return Array.from({ length: count }, (_, index) => {
-            const at = this.ask("sinew_contact_at", index);
-            return { phase: phases[data.uint(at + 56)], impulse: data.double(at), blow: data.double(at + 8),
-                blowBefore: data.double(at + 16), particle: data.id(at + 24), other: orNull(data.id(at + 32), noId),
-                collider: orNull(data.id(at + 40), noId), figure: orNull(data.uint(at + 48), noFigure),
-                otherFigure: orNull(data.uint(at + 52), noFigure), colliderName: data.textFrom(at + 60) };
+            const { phase, other, collider, figure, otherFigure, point, normal, ...more } = data.read(contact, this.ask("sinew_contact_at", index));
+            const vector = (numbers) => numbers.slice(0, this.dimension);
+            return { phase: phases[phase], ...more, other: orNull(other, noId), collider: orNull(collider, noId), figure: orNull(figure, noFigure),
+                otherFigure: orNull(otherFigure, noFigure), point: vector(point), normal: vector(normal) };
         });
     }
 
@@ -71,24 +71,22 @@ export class Simulation extends Readable {
 
     castRay(from, to, { radius = 0, mask = 0xffffffff } = {}) {
         const { data } = this.engine;
-        const vector = (at) => Array.from({ length: this.dimension }, (_, i) => data.double(at + 8 * i));
+        const vector = (numbers) => numbers.slice(0, this.dimension);
         return data.within((arena) => {
-            const at = data.result;
-            if (!this.engine.finds("sinew_cast_ray", this.handle, arena.point(from), arena.point(to), radius, mask, at)) return null;
-            const [particle, collider] = [data.id(at + 56), data.id(at + 64)];
-            return { share: data.double(at), point: vector(at + 8), normal: vector(at + 32),
+            if (!this.engine.finds("sinew_cast_ray", this.handle, arena.point(from), arena.point(to), radius, mask, data.result)) return null;
+            const { share, point, normal, particle, collider } = data.read(rayHit, data.result);
+            return { share, point: vector(point), normal: vector(normal),
                 particle: particle === noId ? null : particle, collider: collider === noId ? null : collider };
         });
     }
 
     overlapping(name, { center, half = [0, 0, 0], radius = 0, turn = 0, axis = [0, 0, 0] }) {
         const { data } = this.engine;
-        const point = ([x, y, z = 0]) => [x, y, z];
         return data.within((arena) => {
-            const region = arena.doubles([...point(center), ...point(half), radius, turn, ...point(axis)]);
-            const count = data.uint(this.ask(name, region, 0, 0));
+            const within = arena.struct(region, { center, half, radius, turn, axis });
+            const count = data.uint(this.ask(name, within, 0, 0));
             const ids = arena.ids(new Array(count).fill(0n));
-            this.call(name, region, ids, count, data.result);
+            this.call(name, within, ids, count, data.result);
             return Array.from({ length: count }, (_, i) => data.id(ids + 8 * i));
         });
     }
@@ -122,10 +120,8 @@ export class Simulation extends Readable {
     removeFigure(figure) { this.call("sinew_remove_figure", this.figure(figure)); }
 
     addParticle({ position, velocity = [0, 0, 0], mass = 1, radius = 0 }) {
-        const [x, y, z = 0] = position;
-        const [u, v, w = 0] = velocity;
         return this.engine.data.within((arena) =>
-            this.engine.data.id(this.ask("sinew_add_particle", arena.doubles([x, y, z, u, v, w, mass, radius]))));
+            this.engine.data.id(this.ask("sinew_add_particle", arena.struct(particleSpec, { position, velocity, mass, radius }))));
     }
 
     removeParticle(particle) { this.call("sinew_remove_particle", this.particle(particle)); }
@@ -133,11 +129,11 @@ export class Simulation extends Readable {
     addConstraint(kind, particles, spec = {}) {
         const { low, high, compliance = 0, maxForce = 0, breakingStrain = 0 } = spec;
         const isMeasured = low === undefined && high === undefined;
-        const limits = isMeasured ? [1, 0] : [low ?? -Infinity, high ?? Infinity];
+        const limits = isMeasured ? { low: 1, high: 0 } : { low: low ?? -Infinity, high: high ?? Infinity };
         const number = this.kind(kind);
         const members = particles.map((particle) => this.particle(particle));
         return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_add_constraint", number, arena.ids(members),
-            members.length, arena.doubles([...limits, compliance, maxForce, breakingStrain]))));
+            members.length, arena.struct(constraintSpec, { ...limits, compliance, maxForce, breakingStrain }))));
     }
 
     removeConstraint(constraint) { this.call("sinew_remove_constraint", this.constraint(constraint)); }
@@ -190,7 +186,7 @@ export class Simulation extends Readable {
 
     toScene([x, y], width = this.size[0], height = this.size[1]) {
         const at = this.ask("sinew_unproject", width, height, x, y);
-        return Array.from({ length: this.dimension }, (_, i) => this.engine.data.double(at + 8 * i));
+        return this.engine.data.value(pointLayout, at).slice(0, this.dimension);
     }
 
     toPixel(position, width = this.size[0], height = this.size[1]) {

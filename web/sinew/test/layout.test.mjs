@@ -1,0 +1,46 @@
+// The layout of the C face's structs is that of its header, and what is written is what is read.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { test } from "node:test";
+import * as layout from "../layout.js";
+import { Memory } from "../memory.js";
+import { colliderSpec, figureSpec } from "../specs.js";
+
+/** A memory without a module: what is freed is lost. */
+function memory() {
+    let free = 8;
+    const exports = { sinew_allocate: (bytes) => ((free += 8 - (free % 8) + bytes), free - bytes), sinew_free() {} };
+    return new Memory(exports, new WebAssembly.Memory({ initial: 2 }));
+}
+
+test("layout.js and layout.cpp are those of sinew.h", () => {
+    execFileSync("node", [fileURLToPath(new URL("../tools/make_layout.mjs", import.meta.url)), "--check"], { stdio: ["ignore", "ignore", "inherit"] });
+});
+
+test("a struct is read as it was written, and no field is in another's place", () => {
+    for (const [name, struct] of Object.entries(layout)) {
+        const values = Object.fromEntries(struct.fields.filter(([, , kind, count]) => typeof kind === "string" && count === undefined && kind !== "text")
+            .map(([field, , kind], i) => [field, kind === "id" ? BigInt(i + 1) << 40n : i + 1]));
+        const data = memory();
+        data.within((arena) => {
+            const read = data.read(struct, arena.struct(struct, values));
+            for (const [field, value] of Object.entries(values)) assert.equal(read[field], value, `${name}.${field}`);
+        });
+        const ends = struct.fields.map(([, at]) => at);
+        assert.ok(ends.every((at, i) => i === 0 || at > ends[i - 1]) && ends.at(-1) < struct.size, name);
+    }
+});
+
+test("texts, points and lists are where a struct says", () => {
+    const data = memory();
+    data.within((arena) => {
+        const figure = data.read(layout.figureSpec, figureSpec(arena, "rope", { name: "ö", position: [1, 2], length: 3, contact: { figures: true } }));
+        assert.deepEqual([figure.structSize, figure.prefab, figure.name, figure.position], [layout.figureSpec.size, "rope", "ö", [1, 2, 0]]);
+        const parameters = [0, 1].map((i) => data.read(layout.parameter, figure.parameters + i * layout.parameter.size));
+        assert.deepEqual(parameters.map(({ name, number }) => [name, number]), [["length", 3], ["contact.figures", 0]]);
+        assert.equal(parameters[1].word, "true");
+        const collider = data.read(layout.colliderSpec, colliderSpec(arena, { shape: "polygon", points: [[0, 0], [1, 0], [0, 1]], oneWay: [0, 1], mask: 5 }));
+        assert.deepEqual([collider.pointCount, collider.mask, collider.oneWay, data.value(layout.point, collider.points + layout.point.size)], [3, 5, [0, 1, 0], [1, 0, 0]]);
+    });
+});
