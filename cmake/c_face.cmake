@@ -15,24 +15,35 @@ list(FILTER painted_files INCLUDE REGEX "/files/out/(alpha_film|output_file|pict
 list(REMOVE_ITEM sources ${painted_files})
 add_library(sinew_export OBJECT ${sources} ${headers})
 target_link_libraries(sinew_export PRIVATE $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+# Readers of other programs' files; what reads a folder, or moves a model, is the command's.
+sinew_sources(files/in)
+set(folder_files ${sources})
+list(FILTER folder_files INCLUDE REGEX "/files/in/(folder_file|posed_model|gltf_amending|bone_turns)[.]cpp")
+list(REMOVE_ITEM sources ${folder_files})
+add_library(sinew_import OBJECT ${sources} ${headers})
 sinew_sources(bindings/c)
 add_library(sinew_face OBJECT ${sources} ${headers})
-foreach(part IN ITEMS sinew_player sinew_export sinew_face)
+foreach(part IN ITEMS sinew_player sinew_export sinew_import sinew_face)
     target_link_libraries(${part} PUBLIC sinew)
     sinew_app(${part})
 endforeach()
 if(TARGET canvas)
     target_precompile_headers(sinew_player REUSE_FROM canvas)
     target_precompile_headers(sinew_export REUSE_FROM canvas)
+    if(NOT SINEW_FUZZ) # instrumented files cannot have the precompiled header of others
+        target_precompile_headers(sinew_import REUSE_FROM canvas)
+    endif()
     target_precompile_headers(sinew_face REUSE_FROM canvas)
 else()
     sinew_precompile(sinew_player "sinew/session/session.h")
     target_precompile_headers(sinew_export REUSE_FROM sinew_player)
+    target_precompile_headers(sinew_import REUSE_FROM sinew_player)
     target_precompile_headers(sinew_face REUSE_FROM sinew_player)
 endif()
 
 set(parts $<TARGET_OBJECTS:sinew> $<TARGET_OBJECTS:sinew_once> $<TARGET_OBJECTS:sinew_face>
-    $<TARGET_OBJECTS:sinew_player> $<TARGET_OBJECTS:sinew_export> bindings/no_files.cpp canvas/beside.cpp)
+    $<TARGET_OBJECTS:sinew_player> $<TARGET_OBJECTS:sinew_export> $<TARGET_OBJECTS:sinew_import>
+    bindings/no_files.cpp canvas/beside.cpp)
 
 # sinew_c_library(TARGET KIND): the C face as a library that C programs need nothing beside.
 function(sinew_c_library target kind)

@@ -1,14 +1,11 @@
 # The command, and what it is made of beside the painters: the player, its window, and the benchmarks.
 
 # --- other programs' files, in and out --------------------------------------------------------------------------
-sinew_sources(files/in)
-add_library(sinew_files STATIC ${sources} ${painted_files} $<TARGET_OBJECTS:sinew_export> ${headers})
-target_link_libraries(sinew_files PUBLIC canvas sinew PRIVATE fmt::fmt nlohmann_json::nlohmann_json
-    PkgConfig::pugixml ZLIB::ZLIB)
+add_library(sinew_files STATIC ${folder_files} ${painted_files} $<TARGET_OBJECTS:sinew_export>
+    $<TARGET_OBJECTS:sinew_import> ${headers})
+target_link_libraries(sinew_files PUBLIC canvas sinew PRIVATE fmt::fmt nlohmann_json::nlohmann_json)
 sinew_app(sinew_files)
-if(NOT SINEW_FUZZ) # instrumented files cannot have the precompiled header of others
-    target_precompile_headers(sinew_files REUSE_FROM canvas)
-endif()
+target_precompile_headers(sinew_files REUSE_FROM canvas)
 
 # --- interactive player, independent of the window ----------------------------------------------------------------
 add_library(play STATIC $<TARGET_OBJECTS:sinew_player> ${player_files})

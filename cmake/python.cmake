@@ -4,8 +4,8 @@ set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Interpreter to build the 
 set(PYTHON_EXECUTABLE ${Python_EXECUTABLE})
 find_package(pybind11 REQUIRED)
 sinew_sources(bindings/python/core)
-pybind11_add_module(sinew_python NO_EXTRAS ${sources} ${painted_files} ${headers})
-target_link_libraries(sinew_python PRIVATE sinew_face sinew_export play canvas)
+pybind11_add_module(sinew_python NO_EXTRAS ${sources} ${painted_files} files/in/folder_file.cpp ${headers})
+target_link_libraries(sinew_python PRIVATE sinew_face sinew_export sinew_import play canvas)
 # Arrays show memory of the engine, and keep it: bindings/python/core/pinned_memory.h.
 target_link_options(sinew_python PRIVATE -Wl,--wrap=_ZdlPv -Wl,--wrap=_ZdlPvm -Wl,--exclude-libs,ALL)
 sinew_app(sinew_python)

@@ -8,7 +8,6 @@
 #include "files/in/json_building.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace sinew::files {
 namespace {
@@ -20,7 +19,7 @@ std::string path_text(const std::vector<Outline>& outlines, bool closed) {
     std::string text;
     for (const auto& outline : outlines) {
         for (std::size_t i = 0; i < outline.size(); ++i)
-            text += fmt::format("{}{} {}", i == 0 ? "M" : " L", std::round(outline[i][0] * 1e4) / 1e4,
+            text += format_text("{}{} {}", i == 0 ? "M" : " L", std::round(outline[i][0] * 1e4) / 1e4,
                                 std::round(outline[i][1] * 1e4) / 1e4);
         if (closed) text += "Z";
     }
@@ -62,7 +61,7 @@ void Drawing::count(std::size_t particles, const std::string& place) {
 
 void Drawing::add(const DrawnShape& shape, const Worn* worn) {
     if (is_far(shape))
-        throw ImportError{shape.place, fmt::format("a coordinate is beyond {:.0e} pixels", furthest_coordinate)};
+        throw ImportError{shape.place, format_text("a coordinate is beyond {} pixels", furthest_coordinate)};
     if (shape.role == Role::none) return notes_.count(shape.place, "left out, as its name says");
     if (shape.role == Role::collider) return add_collider(shape);
     if (shape.role == Role::rope) return add_rope(shape);
@@ -122,7 +121,7 @@ std::vector<std::vector<Outline>> Drawing::areas_of(const DrawnShape& shape) {
         auto simple = without_doubles(simplified_loop(without_doubles(line.points, true), error_), true);
         kept += simple.size();
         if (simple.size() < 3 || collide::twice_area(simple) == 0) {
-            notes_.count(shape.place, fmt::format("an outline smaller than the error of {:g} px has no area", error_));
+            notes_.count(shape.place, format_text("an outline smaller than the error of {:6} px has no area", error_));
             continue;
         }
         outlines.push_back({std::move(simple), true});
@@ -131,8 +130,8 @@ std::vector<std::vector<Outline>> Drawing::areas_of(const DrawnShape& shape) {
         throw ImportError{shape.place,
                           concat("its outline has ", kept, " corners once simplified, at most ", ImportLimits::corners,
                                  " are possible"),
-                          fmt::format("--error N, more than {:g} pixels, leaves fewer", error_)};
-    if (kept < points) notes_.count(shape.place, fmt::format("outlines are simplified, by at most {:g} px", error_));
+                          format_text("--error N, more than {:6} pixels, leaves fewer", error_)};
+    if (kept < points) notes_.count(shape.place, format_text("outlines are simplified, by at most {:6} px", error_));
     const auto solids = solids_of(outlines, shape.fill_rule);
     if (!solids.error.empty()) notes_.add(shape.place, concat(solids.error, ": it is left out"));
     std::vector<std::vector<Outline>> areas;

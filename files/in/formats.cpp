@@ -55,6 +55,16 @@ bool is_foreign(const ImportFile& file) {
     return format && (format->sniff(file.bytes) || !small(file.name).ends_with(".json"));
 }
 
+std::string title_of(std::string_view file_name) {
+    file_name.remove_prefix(file_name.find_last_of("/\\") + 1); // npos + 1 is 0
+    const auto dot = file_name.rfind('.');
+    constexpr std::size_t longest = 40;
+    std::string title;
+    for (const char c : file_name.substr(0, dot == 0 ? file_name.npos : dot).substr(0, longest))
+        title += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+    return title.empty() ? "scene" : title;
+}
+
 Imported import_file(const ImportFile& file, const ImportOptions& options) {
     if (file.bytes.empty()) throw ImportError{"", "the file is empty"};
     if (file.bytes.size() > ImportLimits::bytes)

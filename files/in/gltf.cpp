@@ -2,12 +2,12 @@
 
 #include "files/in/formats.h"
 #include "files/in/gltf_nodes.h"
+#include "files/in/hex_color.h"
 #include "files/in/model_scene.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace sinew::files {
 namespace {
@@ -88,8 +88,7 @@ class GltfReader {
     void add_primitive(const JsonNode& primitive, const Affine3& map, MeshModel& model) {
         const auto mode = primitive["mode"].exists() ? primitive["mode"].index() : 4;
         if (mode < 4 || mode > 6) return scene_.notes().count(primitive.place(), "points and lines are not taken");
-        if (primitive["attributes"]["COLOR_0"].exists())
-            scene_.notes().count(primitive.place(), "colours of points are not taken");
+        note_rest(primitive);
         const auto position = primitive["attributes"]["POSITION"];
         if (!position.exists()) return scene_.notes().count(primitive.place(), "a mesh without positions is not taken");
         const auto numbers = data_.numbers(position, "VEC3", 3);
@@ -106,6 +105,18 @@ class GltfReader {
         if (!primitive["indices"].exists())
             for (std::uint32_t i = 0; i < count; ++i) corners.push_back(i);
         add_triangles(corners, mode, first, map.is_mirrored(), model);
+    }
+
+    /// Parts of a primitive that a scene has not.
+    void note_rest(const JsonNode& primitive) {
+        const auto attributes = primitive["attributes"];
+        if (const auto* const members = attributes.object())
+            for (const auto& member : *members)
+                if (member.key != "POSITION")
+                    scene_.notes().count(attributes[member.key].place(),
+                                         concat(printable(member.key), " is not taken"));
+        if (primitive["targets"].exists())
+            scene_.notes().count(primitive["targets"].place(), "morph targets are not taken");
     }
 
     static void add_triangles(const std::vector<std::uint32_t>& corners, std::size_t mode, std::uint32_t first,
@@ -135,7 +146,7 @@ class GltfReader {
                 light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055; // IEC 61966-2-1
             channels[i] = int(std::clamp(shown, 0.0, 1.0) * 255 + 0.5);
         }
-        return fmt::format("#{:02x}{:02x}{:02x}", channels[0], channels[1], channels[2]);
+        return hex_color({channels[0], channels[1], channels[2]});
     }
 
     void add_ragdoll(const std::vector<SkeletonJoint>& skeleton) {

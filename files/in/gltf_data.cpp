@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 
@@ -71,6 +72,20 @@ constexpr std::array component_types = {
     ComponentType{5126, 4, read_component<float>, 1},
 };
 
+/// A relative address with its %20 and the like replaced (RFC 3986).
+std::string from_uri(std::string_view uri) {
+    std::string path;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        unsigned code = 0;
+        const char* const digits = uri.data() + i + 1;
+        const bool is_code =
+            uri[i] == '%' && uri.size() - i > 2 && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
+        path += is_code ? char(code) : uri[i];
+        i += is_code ? 2 : 0;
+    }
+    return path;
+}
+
 Affine3 turn_of(const std::vector<double>& q, const JsonNode& node) {
     const double x = q[0], y = q[1], z = q[2], w = q[3];
     const double size = x * x + y * y + z * z + w * w;
@@ -119,7 +134,7 @@ void GltfData::read_buffers(const ImportFile& file, std::string binary) {
 
 std::string GltfData::buffer_bytes(const ImportFile& file, const JsonNode& uri) const {
     const auto text = uri.text();
-    if (!text.starts_with("data:")) return bytes_beside(file, text, uri.place());
+    if (!text.starts_with("data:")) return bytes_beside(file, from_uri(text), uri.place());
     const auto comma = text.find(";base64,");
     const auto bytes = comma == text.npos ? std::nullopt : from_base64(std::string_view(text).substr(comma + 8));
     if (!bytes) uri.fail("a buffer within the file is data:...;base64,...");

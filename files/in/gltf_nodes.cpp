@@ -2,8 +2,6 @@
 
 #include "sinew/scene/text.h"
 
-#include <fmt/format.h>
-
 namespace sinew::files {
 
 GltfNodes::GltfNodes(const JsonNode& root) : root_(root) {
@@ -63,7 +61,7 @@ void GltfNodes::find_skeleton(const JsonNode& skin) {
 void check_point(const Vec3<double>& point, const JsonNode& of) {
     constexpr double furthest = 1e6;
     for (int i = 0; i < 3; ++i)
-        if (!(absolute(point[i]) <= furthest)) of.fail(fmt::format("a coordinate is beyond {:g}", furthest));
+        if (!(absolute(point[i]) <= furthest)) of.fail(format_text("a coordinate is beyond {:6}", furthest));
 }
 
 } // namespace sinew::files

@@ -37,12 +37,13 @@ struct ImportOptions {
     std::optional<double> scale{}; ///< length in the scene of one unit of the file; the format's if left out
 };
 
-/// A file to import. Bytes beside it (buffers, tilesets) are read through `folder` only.
+/// A file to import. Files that it refers to (buffers, tilesets) are given beside it, or read from its folder.
 struct ImportFile {
     std::string name;  ///< in messages
     std::string title; ///< of figures and side files: "logo"
     std::string bytes;
-    std::filesystem::path folder{}; ///< empty: nothing beside the file is read
+    std::filesystem::path folder{}; ///< empty: nothing is read from a folder
+    std::vector<SideFile> beside{}; ///< files at hand, by their names or paths
 };
 
 struct Imported {
@@ -61,6 +62,9 @@ struct ImportLimits {
     static constexpr std::size_t points = 100'000;   ///< of a drawn outline, of a mesh
     static constexpr std::size_t notes = 1000;       ///< then the rest is counted
 };
+
+/// Name for figures and files, of a file's name: its stem in letters, digits, _ and -.
+std::string title_of(std::string_view file_name);
 
 /// Imports a file as a scene. The format is chosen by content, or else by the ending of the name. Throws ImportError.
 Imported import_file(const ImportFile& file, const ImportOptions& options = {});

@@ -7,7 +7,6 @@
 #include "files/in/json_building.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <limits>
 #include <map>
 
@@ -98,7 +97,7 @@ void ModelScene::build(ImportedMesh& mesh) {
         p = p * factor;
         for (int i = 0; i < 3; ++i)
             if (!(absolute(p[i]) <= furthest))
-                throw ImportError{mesh.place, fmt::format("a coordinate is beyond {:g} m", furthest)};
+                throw ImportError{mesh.place, format_text("a coordinate is beyond {:6} m", furthest)};
     }
     auto role = mesh.role.value_or(
         role_called(options_.role).value_or(open_edges(mesh.model) == 0 ? Role::jelly : Role::cloth));
@@ -112,7 +111,7 @@ void ModelScene::build(ImportedMesh& mesh) {
             notes_.add(mesh.place, concat(*problem, ": it comes as cloth")), role = Role::cloth;
     }
     mesh.name = names_.take(mesh.name, "model");
-    const auto file = fmt::format("{}_models/{}.obj", file_.title, mesh.name);
+    const auto file = format_text("{}_models/{}.obj", file_.title, mesh.name);
     beside_.push_back({file, to_obj(mesh.model)});
     if (role == Role::collider) {
         if (!mesh.color.empty()) looks_.push_back({mesh.name, json::Object{{"fill", mesh.color}}});
@@ -168,7 +167,7 @@ Imported ModelScene::finish() {
     if (meshes_.empty() && figures_.empty())
         throw ImportError{"", "there is no mesh and no skeleton in it that a scene can have"};
     if (const double factor = scale(); factor != 1 && !options_.scale)
-        notes_.add("", fmt::format("its longest side is {:.3g} m: it is scaled by {:.3g} to be 2 m; --scale 1 keeps it",
+        notes_.add("", format_text("its longest side is {:3} m: it is scaled by {:3} to be 2 m; --scale 1 keeps it",
                                    longest_side(), factor));
     for (auto& mesh : meshes_) build(mesh);
     if (figures_.empty() && colliders_.empty()) throw ImportError{"", "everything in it is left out by its name"};

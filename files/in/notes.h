@@ -21,8 +21,8 @@ class Notes {
 
     /// Counts something of a kind: "texture coordinates are not taken".
     void count(const std::string& place, const std::string& message) {
-        const auto [found, fresh] = counted_.try_emplace(message, place, 0);
-        ++found->second.second;
+        if (counted_.size() >= ImportLimits::notes && !counted_.contains(message)) return void(++dropped_);
+        ++counted_.try_emplace(message, place, 0).first->second.second;
     }
 
     std::vector<Note> taken() {

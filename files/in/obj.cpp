@@ -91,7 +91,10 @@ class ObjImport {
             parts_.push_back({std::string(name), line, {}});
         }
         const auto* const known = std::ranges::find(obj_words, keyword, &ObjWord::keyword);
-        if (known != obj_words.end()) scene_.notes().count(concat(line, ":1"), std::string(known->message));
+        if (known != obj_words.end()) return scene_.notes().count(concat(line, ":1"), std::string(known->message));
+        constexpr std::array<std::string_view, 5> taken = {"", "v", "f", "o", "g"};
+        if (std::ranges::find(taken, keyword) == taken.end())
+            scene_.notes().count(concat(line, ":1"), concat("lines of ", in_quotes(keyword), " are not taken"));
     }
 };
 

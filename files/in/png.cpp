@@ -1,13 +1,11 @@
-#include "canvas/png.h"
-
 #include "files/in/contours.h"
 #include "files/in/drawing.h"
 #include "files/in/formats.h"
+#include "files/in/png_file.h"
 #include "files/in/png_pieces.h"
+#include "files/out/png_writer.h"
 
 #include <algorithm>
-#include <fmt/format.h>
-#include <memory>
 
 namespace sinew::files {
 namespace {
@@ -19,24 +17,22 @@ constexpr std::string_view png_signature("\x89PNG\r\n\x1a\n", 8);
 class PngReader {
   public:
     PngReader(const ImportFile& file, const ImportOptions& options) : file_(file), options_(options) {
-        const auto bytes = std::as_bytes(std::span(file.bytes));
-        auto read = canvas::read_png(bytes, file.name, {});
-        if (!read.image) throw ImportError{"", read.problem, read.help};
-        image_ = read.image;
-        const double side = std::max(image_->width, image_->height);
+        image_ = read_png_file(file.bytes, notes_);
+        const double side = std::max(image_.width, image_.height);
         scale_ = options.scale.value_or(std::min(1.0, usual_side / side));
         role_ = role_called(options.role).value_or(Role::jelly);
     }
 
     Imported read() {
-        const Vec2<double> size{{double(image_->width), double(image_->height)}};
+        const Vec2<double> size{{double(image_.width), double(image_.height)}};
         constexpr double usual_error = 1; // pixels of the scene
         Drawing drawing(size * scale_, options_.error.value_or(usual_error));
-        if (std::ranges::all_of(image_->pixels, [](auto pixel) { return pixel >> 24U == 255; }))
+        for (auto& note : notes_.taken()) drawing.notes().add(std::move(note.place), std::move(note.message));
+        if (std::ranges::all_of(image_.pixels, [](auto pixel) { return pixel >> 24U == 255; }))
             drawing.notes().add("", "the picture has no transparency: its outline is its border");
         constexpr double least_share = 1e-3; // of the largest part
         std::size_t largest = 0, small = 0;
-        each_part(*image_, [&](const ImagePart& part) {
+        each_part(image_, [&](const ImagePart& part) {
             largest = std::max(largest, part.pixels);
             if (double(part.pixels) >= least_share * double(largest) && part.pixels > 8)
                 add(drawing, part);
@@ -54,7 +50,8 @@ class PngReader {
   private:
     const ImportFile& file_;
     const ImportOptions& options_;
-    std::shared_ptr<const Image> image_;
+    Notes notes_; ///< of the file
+    Image image_;
     double scale_ = 1;
     Role role_ = Role::jelly;
     std::vector<SideFile> beside_;
@@ -67,19 +64,19 @@ class PngReader {
     }
 
     std::string write(const Image& image) {
-        auto name = fmt::format("{}_images/{}.png", file_.title, beside_.size());
+        auto name = format_text("{}_images/{}.png", file_.title, beside_.size());
         written_ += image.pixels.size();
         if (written_ > std::size_t(Limits{}.pixels))
             throw ImportError{"", concat("its pieces have more than ", Limits{}.pixels, " pixels"),
                               "--scale F makes it smaller"};
-        beside_.push_back({name, png_bytes(image)});
+        beside_.push_back({name, png_of(image)});
         return name;
     }
 
     void add(Drawing& drawing, const ImagePart& part) {
         const Vec2<double> corner{{double(part.left), double(part.top)}};
         DrawnShape shape;
-        shape.place = fmt::format("the part at {},{}", part.left, part.top);
+        shape.place = format_text("the part at {},{}", part.left, part.top);
         shape.name = file_.title;
         shape.role = role_;
         constexpr double level = 127.5; // half opaque

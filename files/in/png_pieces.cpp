@@ -1,11 +1,10 @@
 #include "files/in/png_pieces.h"
 
-#include "canvas/cairo_handle.h"
+#include "files/in/hex_color.h"
 #include "files/in/import.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace sinew::files {
 namespace {
@@ -14,11 +13,6 @@ constexpr std::uint32_t half_opaque = 128;
 
 std::uint32_t alpha_of(std::uint32_t pixel) {
     return pixel >> 24U;
-}
-
-cairo_status_t append_bytes(void* target, const unsigned char* bytes, unsigned int count) {
-    static_cast<std::string*>(target)->append(reinterpret_cast<const char*>(bytes), count);
-    return CAIRO_STATUS_SUCCESS;
 }
 
 /// Labels of opaque pixels that touch, 1, 2, ..., by filling.
@@ -145,17 +139,7 @@ std::string mean_color(const Image& image) {
     for (const auto pixel : image.pixels)
         for (std::size_t k = 0; k < 4; ++k) sum[k] += double(pixel >> (8 * k) & 255U);
     const auto channel = [&](std::size_t k) { return sum[3] > 0 ? int(std::min(sum[k] / sum[3] * 255, 255.0)) : 0; };
-    return fmt::format("#{:02x}{:02x}{:02x}", channel(2), channel(1), channel(0));
-}
-
-std::string png_bytes(const Image& image) {
-    auto pixels = image.pixels;
-    const canvas::CairoSurface surface(
-        cairo_image_surface_create_for_data(reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_ARGB32,
-                                            image.width, image.height, image.width * 4));
-    std::string bytes;
-    cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes);
-    return bytes;
+    return hex_color({channel(2), channel(1), channel(0)});
 }
 
 } // namespace sinew::files

@@ -27,7 +27,4 @@ Image cut_out(const Image& image, const std::array<Vec2<double>, 4>& corners, do
 /// Mean colour of the opaque pixels: #rrggbb.
 std::string mean_color(const Image& image);
 
-/// The image as a PNG file.
-std::string png_bytes(const Image& image);
-
 } // namespace sinew::files

@@ -4,11 +4,9 @@
 #include "files/in/svg_shapes.h"
 #include "files/in/svg_style.h"
 #include "files/in/svg_values.h"
-#include "files/in/text_place.h"
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <map>
 
 namespace sinew::files {
@@ -20,16 +18,11 @@ constexpr std::size_t most_visits = 50'000;
 class SvgReader {
   public:
     SvgReader(const ImportFile& file, const ImportOptions& options)
-        : file_(file), options_(options), places_(file.bytes) {
-        const auto parsed = tree_.load_buffer(file.bytes.data(), file.bytes.size());
-        if (!parsed)
-            throw ImportError{places_.at(std::size_t(std::max<std::ptrdiff_t>(parsed.offset, 0))),
-                              concat("the XML breaks off: ", small_first(parsed.description()))};
-        root_ = tree_.document_element();
+        : file_(file), options_(options), document_(file.bytes), root_(document_.root()) {
         if (local(root_) != "svg")
             throw ImportError{place_of(root_),
-                              concat("an SVG drawing begins with <svg>, found <", printable(root_.name()), ">")};
-        collect(root_, 0);
+                              concat("an SVG drawing begins with <svg>, found <", printable(root_.name), ">")};
+        collect(root_);
     }
 
     Imported read() {
@@ -53,45 +46,34 @@ class SvgReader {
   private:
     const ImportFile& file_;
     const ImportOptions& options_;
-    TextPlaces places_;
-    pugi::xml_document tree_;
-    pugi::xml_node root_;
+    XmlDocument document_;
+    const XmlElement& root_;
     SvgRules rules_;
     std::vector<std::pair<std::string, std::string>> unknown_selectors_; ///< place, selector
-    std::map<std::string, pugi::xml_node, std::less<>> by_id_;
+    std::map<std::string_view, const XmlElement*> by_id_;
     std::optional<Role> usual_;
     Drawing* drawing_ = nullptr;
     Vec2<double> page_{};
     std::size_t visits_ = 0, points_ = 0;
 
-    static std::string small_first(std::string text) {
-        if (!text.empty() && text[0] >= 'A' && text[0] <= 'Z') text[0] = char(text[0] - 'A' + 'a');
-        return text;
-    }
-    static std::string_view local(pugi::xml_node node) {
-        std::string_view name = node.name();
+    static std::string_view local(const XmlElement& node) {
+        const auto name = node.name;
         return name.starts_with("svg:") ? name.substr(4) : name;
     }
-    std::string place_of(pugi::xml_node node) const {
-        const auto offset = node.offset_debug();
-        return offset < 0 ? std::string() : places_.at(std::size_t(offset));
-    }
-    std::string described(pugi::xml_node node) const {
-        const std::string_view id = node.attribute("id").value();
-        return concat(place_of(node), ": <", printable(node.name()), id.empty() ? "" : concat(" id=", in_quotes(id)),
+    std::string place_of(const XmlElement& node) const { return document_.place_of(node); }
+    std::string described(const XmlElement& node) const {
+        const std::string_view id = node.value("id");
+        return concat(place_of(node), ": <", printable(node.name), id.empty() ? "" : concat(" id=", in_quotes(id)),
                       ">");
     }
 
     /// Finds ids and style sheets before anything refers to them.
-    void collect(pugi::xml_node node, std::size_t depth) {
-        if (depth > ImportLimits::depth)
-            throw ImportError{place_of(node), concat("elements nest more than ", ImportLimits::depth, " deep")};
-        if (const auto id = node.attribute("id")) by_id_.emplace(id.value(), node);
+    void collect(const XmlElement& node) {
+        if (node.has("id")) by_id_.emplace(node.value("id"), &node);
         if (local(node) == "style")
-            for (const auto text : node.children())
-                for (auto& selector : rules_.add(text.value()))
-                    unknown_selectors_.emplace_back(described(node), std::move(selector));
-        for (const auto child : node.children()) collect(child, depth + 1);
+            for (auto& selector : rules_.add(node.text))
+                unknown_selectors_.emplace_back(described(node), std::move(selector));
+        for (const auto& child : node.children) collect(child);
     }
 
     /// Size of the page in pixels: its width and height, or those of its view box.
@@ -99,7 +81,7 @@ class SvgReader {
         const auto box = box_of(root_);
         Vec2<double> size{};
         for (int i = 0; i < 2; ++i) {
-            const std::string_view text = root_.attribute(i == 0 ? "width" : "height").value();
+            const std::string_view text = root_.value(i == 0 ? "width" : "height");
             const double whole = box ? (*box)[std::size_t(i) + 2] : 0;
             size[i] = svg_value::length(text, whole).value_or(whole);
         }
@@ -107,22 +89,22 @@ class SvgReader {
         if (!(size[0] > 0 && size[1] > 0)) size = {{640, 480}};
         if (size[0] > most || size[1] > most)
             throw ImportError{place_of(root_),
-                              fmt::format("the page has {:g} x {:g} pixels, at most {:g} a side are possible", size[0],
+                              format_text("the page has {:6} x {:6} pixels, at most {:6} a side are possible", size[0],
                                           size[1], most)};
         page_ = box ? Vec2<double>{{(*box)[2], (*box)[3]}} : size;
         return size;
     }
-    static std::optional<std::array<double, 4>> box_of(pugi::xml_node node) {
-        const auto numbers = svg_value::numbers(node.attribute("viewBox").value());
+    static std::optional<std::array<double, 4>> box_of(const XmlElement& node) {
+        const auto numbers = svg_value::numbers(node.value("viewBox"));
         if (!numbers || numbers->size() != 4 || !((*numbers)[2] > 0) || !((*numbers)[3] > 0)) return std::nullopt;
         return std::array{(*numbers)[0], (*numbers)[1], (*numbers)[2], (*numbers)[3]};
     }
     /// Map from the view box to a viewport of that size: as large as fits, in the middle, unless told otherwise.
-    static Affine view_box(pugi::xml_node node, const Vec2<double>& size) {
+    static Affine view_box(const XmlElement& node, const Vec2<double>& size) {
         const auto box = box_of(node);
         if (!box) return {};
         const auto [x, y, w, h] = *box;
-        const std::string_view aspect = node.attribute("preserveAspectRatio").value();
+        const std::string_view aspect = node.value("preserveAspectRatio");
         if (aspect.starts_with("none")) return scaled_by(size[0] / w, size[1] / h) * moved_by({{-x, -y}});
         const bool slice = aspect.find("slice") != aspect.npos;
         const double scale = slice ? std::max(size[0] / w, size[1] / h) : std::min(size[0] / w, size[1] / h);
@@ -134,12 +116,11 @@ class SvgReader {
         return moved_by(rest) * scaled_by(scale, scale) * moved_by({{-x, -y}});
     }
 
-    void read_children(pugi::xml_node parent, const Affine& map, const SvgStyle& style, std::size_t depth) {
-        for (const auto child : parent.children())
-            if (child.type() == pugi::node_element) read_element(child, map, style, depth + 1);
+    void read_children(const XmlElement& parent, const Affine& map, const SvgStyle& style, std::size_t depth) {
+        for (const auto& child : parent.children) read_element(child, map, style, depth + 1);
     }
 
-    void read_element(pugi::xml_node node, const Affine& outer, const SvgStyle& parent, std::size_t depth) {
+    void read_element(const XmlElement& node, const Affine& outer, const SvgStyle& parent, std::size_t depth) {
         if (++visits_ > most_visits)
             throw ImportError{described(node), concat("more than ", most_visits, " elements are drawn")};
         if (depth > ImportLimits::depth)
@@ -159,15 +140,16 @@ class SvgReader {
         }
     }
 
-    Affine transform_of(pugi::xml_node node) const {
-        const std::string_view text = node.attribute("transform").value();
+    Affine transform_of(const XmlElement& node) const {
+        const std::string_view text = node.value("transform");
         if (const auto map = svg_value::transform(text)) return *map;
         throw ImportError{"", concat("its transform cannot be read: ", in_quotes(text))};
     }
 
-    void read_drawn(pugi::xml_node node, std::string_view tag, const Affine& map, const SvgStyle& style,
+    void read_drawn(const XmlElement& node, std::string_view tag, const Affine& map, const SvgStyle& style,
                     std::size_t depth) {
-        if (tag == "g" || tag == "a" || tag == "switch") return read_children(node, map, style, depth);
+        if (tag == "g" || tag == "a") return read_children(node, map, style, depth);
+        if (tag == "switch") return read_switch(node, map, style, depth);
         const auto moved = [&] {
             return map * moved_by({{svg_length(node, "x", page_[0]), svg_length(node, "y", page_[1])}});
         };
@@ -177,31 +159,44 @@ class SvgReader {
             return read_children(node, moved() * view_box(node, size), style, depth);
         }
         if (tag == "use") return read_use(node, moved(), style, depth);
-        auto lines = svg_lines(node, page_);
+        auto lines = svg_lines(node, tag, page_);
         if (!lines) return drawing_->notes().count(described(node), concat("<", printable(tag), "> is not taken"));
         if (!style.is_visible) return drawing_->notes().count(described(node), "hidden elements are not taken");
         if (lines->empty()) return drawing_->notes().count(described(node), "it has no extent: nothing is made of it");
-        for (const auto child : node.children()) // such as <animate>
-            if (child.type() == pugi::node_element && !is_silent_svg(local(child)))
-                drawing_->notes().count(described(child), concat("<", printable(child.name()), "> is not taken"));
+        for (const auto& child : node.children) // such as <animate>
+            if (!is_silent_svg(local(child)))
+                drawing_->notes().count(described(child), concat("<", printable(child.name), "> is not taken"));
         add(node, tag, std::move(*lines), map, style);
     }
 
-    void read_use(pugi::xml_node node, const Affine& map, const SvgStyle& style, std::size_t depth) {
-        std::string_view target = node.attribute("href").value();
-        if (target.empty()) target = node.attribute("xlink:href").value();
+    /// Draws the first child that needs no language and no extension.
+    void read_switch(const XmlElement& node, const Affine& map, const SvgStyle& style, std::size_t depth) {
+        const XmlElement* drawn = nullptr;
+        for (const auto& child : node.children) {
+            const bool is_special =
+                child.has("systemLanguage") || child.has("requiredExtensions") || local(child) == "foreignObject";
+            if (!drawn && !is_special)
+                read_element(*(drawn = &child), map, style, depth + 1);
+            else if (!is_silent_svg(local(child)))
+                drawing_->notes().count(described(child), "of a <switch> one child is taken");
+        }
+    }
+
+    void read_use(const XmlElement& node, const Affine& map, const SvgStyle& style, std::size_t depth) {
+        std::string_view target = node.value("href");
+        if (target.empty()) target = node.value("xlink:href");
         const auto found = target.starts_with('#') ? by_id_.find(target.substr(1)) : by_id_.end();
         if (found == by_id_.end())
             return drawing_->notes().add(described(node),
                                          concat("it refers to ", in_quotes(target), ", which is not in this file"));
-        if (local(found->second) != "symbol") return read_element(found->second, map, style, depth + 1);
+        if (local(*found->second) != "symbol") return read_element(*found->second, map, style, depth + 1);
         const Vec2<double> size{
             {svg_length(node, "width", page_[0], page_[0]), svg_length(node, "height", page_[1], page_[1])}};
-        read_children(found->second, map * view_box(found->second, size), style, depth + 1);
+        read_children(*found->second, map * view_box(*found->second, size), style, depth + 1);
     }
 
     /// Colour of a paint; that of a gradient is its first one.
-    std::string paint(pugi::xml_node node, std::string text, const SvgStyle& style, double opacity) {
+    std::string paint(const XmlElement& node, std::string text, const SvgStyle& style, double opacity) {
         if (text == "currentColor") text = style.color;
         if (text.starts_with("url(")) {
             const auto begin = text.find('#'), end = text.find_first_of(")\"'", begin == text.npos ? 0 : begin);
@@ -218,25 +213,23 @@ class SvgReader {
         const auto found = by_id_.find(id);
         constexpr int most_references = 8;
         if (found == by_id_.end() || depth > most_references) return "gray";
-        for (const auto stop : found->second.children())
+        for (const auto& stop : found->second->children)
             if (local(stop) == "stop") {
-                const std::string style = stop.attribute("style").value();
+                const std::string style(stop.value("style"));
                 const auto at = style.find("stop-color:");
                 if (at != style.npos) return style.substr(at + 11, style.find(';', at) - at - 11);
-                return stop.attribute("stop-color").as_string("black");
+                return std::string(stop.has("stop-color") ? stop.value("stop-color") : "black");
             }
-        const std::string_view href = found->second.attribute("xlink:href")
-                                          ? found->second.attribute("xlink:href").value()
-                                          : found->second.attribute("href").value();
+        const auto href = found->second->value(found->second->has("xlink:href") ? "xlink:href" : "href");
         return href.starts_with('#') ? first_stop(std::string(href.substr(1)), depth + 1) : "gray";
     }
 
-    void add(pugi::xml_node node, std::string_view tag, std::vector<DrawnLine> lines, const Affine& map,
+    void add(const XmlElement& node, std::string_view tag, std::vector<DrawnLine> lines, const Affine& map,
              const SvgStyle& style) {
         DrawnShape shape;
         shape.place = described(node);
-        const auto label = node.attribute("inkscape:label") ? node.attribute("inkscape:label") : node.attribute("id");
-        shape.name = label ? label.value() : std::string(tag);
+        const auto label = node.value(node.has("inkscape:label") ? "inkscape:label" : "id");
+        shape.name = label.empty() ? tag : label;
         shape.fill = paint(node, style.fill, style, style.opacity * style.fill_opacity);
         shape.stroke = paint(node, style.stroke, style, style.opacity * style.stroke_opacity);
         shape.stroke_width =
@@ -266,13 +259,13 @@ class SvgReader {
     }
 
     /// Circles and rectangles that are still such in the scene.
-    void set_exact(DrawnShape& shape, pugi::xml_node node, std::string_view tag, const Affine& map,
+    void set_exact(DrawnShape& shape, const XmlElement& node, std::string_view tag, const Affine& map,
                    double scale) const {
         if (tag == "circle") {
             shape.circle = svg_length(node, "r", norm(page_) / std::sqrt(2)) * scale;
             shape.middle = map({{svg_length(node, "cx", page_[0]), svg_length(node, "cy", page_[1])}});
         }
-        if (tag != "rect" || node.attribute("rx") || node.attribute("ry")) return;
+        if (tag != "rect" || node.has("rx") || node.has("ry")) return;
         const Vec2<double> size{{svg_length(node, "width", page_[0]), svg_length(node, "height", page_[1])}};
         shape.box = size * scale;
         shape.middle =

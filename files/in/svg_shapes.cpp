@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 
 namespace sinew::files {
 namespace {
@@ -28,10 +27,10 @@ std::vector<DrawnLine> along_path(std::string_view data) {
 std::vector<DrawnLine> ellipse_lines(double x, double y, double rx, double ry) {
     if (rx <= 0 || ry <= 0) return {};
     return along_path(
-        fmt::format("M{} {}A{} {} 0 0 1 {} {}A{} {} 0 0 1 {} {}Z", x - rx, y, rx, ry, x + rx, y, rx, ry, x - rx, y));
+        format_text("M{} {}A{} {} 0 0 1 {} {}A{} {} 0 0 1 {} {}Z", x - rx, y, rx, ry, x + rx, y, rx, ry, x - rx, y));
 }
 
-std::vector<DrawnLine> rectangle_lines(pugi::xml_node element, const Vec2<double>& page) {
+std::vector<DrawnLine> rectangle_lines(const XmlElement& element, const Vec2<double>& page) {
     const double x = svg_length(element, "x", page[0]), y = svg_length(element, "y", page[1]);
     const double w = svg_length(element, "width", page[0]), h = svg_length(element, "height", page[1]);
     if (w <= 0 || h <= 0) return {};
@@ -40,13 +39,13 @@ std::vector<DrawnLine> rectangle_lines(pugi::xml_node element, const Vec2<double
     if (ry < 0) ry = rx;
     rx = std::clamp(rx, 0.0, w / 2), ry = std::clamp(ry, 0.0, h / 2);
     if (rx <= 0 || ry <= 0) return {{{Vec2<double>{{x, y}}, {{x + w, y}}, {{x + w, y + h}}, {{x, y + h}}}, true}};
-    const auto arc = [&](double dx, double dy) { return fmt::format("a{} {} 0 0 1 {} {}", rx, ry, dx, dy); };
-    return along_path(fmt::format("M{} {}H{}{}V{}{}H{}{}V{}{}Z", x + rx, y, x + w - rx, arc(rx, ry), y + h - ry,
+    const auto arc = [&](double dx, double dy) { return format_text("a{} {} 0 0 1 {} {}", rx, ry, dx, dy); };
+    return along_path(format_text("M{} {}H{}{}V{}{}H{}{}V{}{}Z", x + rx, y, x + w - rx, arc(rx, ry), y + h - ry,
                                   arc(-rx, ry), x + rx, arc(-rx, -ry), y + ry, arc(rx, -ry)));
 }
 
-std::vector<DrawnLine> corner_lines(pugi::xml_node element, bool closed) {
-    const auto numbers = svg_value::numbers(element.attribute("points").value());
+std::vector<DrawnLine> corner_lines(const XmlElement& element, bool closed) {
+    const auto numbers = svg_value::numbers(element.value("points"));
     if (!numbers || numbers->size() % 2 != 0) throw ImportError{"", "its points are pairs of numbers, found others"};
     DrawnLine line{{}, closed};
     for (std::size_t i = 0; i + 1 < numbers->size(); i += 2)
@@ -57,17 +56,17 @@ std::vector<DrawnLine> corner_lines(pugi::xml_node element, bool closed) {
 
 } // namespace
 
-double svg_length(pugi::xml_node element, const char* name, double whole, double usual) {
-    const std::string_view text = element.attribute(name).value();
+double svg_length(const XmlElement& element, std::string_view name, double whole, double usual) {
+    const std::string_view text = element.value(name);
     if (text.empty() || text == "auto") return usual;
     if (const auto length = svg_value::length(text, whole)) return *length;
     throw ImportError{"", concat("its ", name, " is a length, found ", in_quotes(text))};
 }
 
-std::optional<std::vector<DrawnLine>> svg_lines(pugi::xml_node element, const Vec2<double>& page) {
-    const std::string_view tag = element.name();
-    const auto number = [&](const char* name, int axis) { return svg_length(element, name, page[axis]); };
-    if (tag == "path") return along_path(element.attribute("d").value());
+std::optional<std::vector<DrawnLine>> svg_lines(const XmlElement& element, std::string_view tag,
+                                                const Vec2<double>& page) {
+    const auto number = [&](std::string_view name, int axis) { return svg_length(element, name, page[axis]); };
+    if (tag == "path") return along_path(element.value("d"));
     if (tag == "rect") return rectangle_lines(element, page);
     if (tag == "circle") {
         const double radius = svg_length(element, "r", norm(page) / std::sqrt(2));

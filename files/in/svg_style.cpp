@@ -66,9 +66,9 @@ std::string without_comments(std::string_view css) {
     return text;
 }
 
-std::optional<Role> role_of(pugi::xml_node element) {
+std::optional<Role> role_of(const XmlElement& element) {
     for (const auto* const name : {"id", "class", "inkscape:label", "data-name"})
-        if (const auto role = role_in(element.attribute(name).value())) return role;
+        if (const auto role = role_in(element.value(name))) return role;
     return std::nullopt;
 }
 
@@ -138,13 +138,12 @@ std::vector<std::string> SvgRules::add(std::string_view css) {
     return unknown;
 }
 
-bool SvgRules::matches(const Rule& rule, pugi::xml_node element) {
-    return (rule.tag.empty() || rule.tag == element.name()) &&
-           (rule.id.empty() || rule.id == element.attribute("id").value()) &&
-           (rule.word.empty() || has_word(element.attribute("class").value(), rule.word));
+bool SvgRules::matches(const Rule& rule, const XmlElement& element) {
+    return (rule.tag.empty() || rule.tag == element.name) && (rule.id.empty() || rule.id == element.value("id")) &&
+           (rule.word.empty() || has_word(element.value("class"), rule.word));
 }
 
-SvgStyle SvgRules::style_of(pugi::xml_node element, const SvgStyle& parent) const {
+SvgStyle SvgRules::style_of(const XmlElement& element, const SvgStyle& parent) const {
     SvgStyle style = parent;
     style.not_taken.clear();
     constexpr std::array properties = {"fill",
@@ -166,10 +165,10 @@ SvgStyle SvgRules::style_of(pugi::xml_node element, const SvgStyle& parent) cons
                                        "marker-end",
                                        "mix-blend-mode"};
     for (const auto* const name : properties)
-        if (const auto attribute = element.attribute(name)) set_property(style, name, attribute.value(), parent);
+        if (element.has(name)) set_property(style, name, element.value(name), parent);
     for (const auto& rule : rules_)
         if (matches(rule, element)) set_declarations(style, rule.declarations, parent);
-    set_declarations(style, element.attribute("style").value(), parent);
+    set_declarations(style, element.value("style"), parent);
     if (const auto role = role_of(element)) style.role = role;
     return style;
 }

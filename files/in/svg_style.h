@@ -1,8 +1,8 @@
 #pragma once
 
 #include "files/in/role.h"
+#include "files/in/xml.h"
 
-#include <pugixml.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +25,7 @@ class SvgRules {
     std::vector<std::string> add(std::string_view css);
 
     /// Style of an element: its parent's, then attributes, rules and its own `style`.
-    SvgStyle style_of(pugi::xml_node element, const SvgStyle& parent) const;
+    SvgStyle style_of(const XmlElement& element, const SvgStyle& parent) const;
 
   private:
     struct Rule {
@@ -35,7 +35,7 @@ class SvgRules {
     std::vector<Rule> rules_; ///< by weight
 
     static Rule rule_of(std::string_view selector, std::string declarations);
-    static bool matches(const Rule& rule, pugi::xml_node element);
+    static bool matches(const Rule& rule, const XmlElement& element);
 };
 
 } // namespace sinew::files

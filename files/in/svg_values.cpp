@@ -1,11 +1,12 @@
 #include "files/in/svg_values.h"
 
 #include "sinew/math/color.h"
+#include "sinew/math/decimal.h"
+
+#include "files/in/hex_color.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <fmt/format.h>
 
 namespace sinew::files::svg_value {
 namespace {
@@ -14,16 +15,36 @@ bool is_space(char c) {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
 }
 
+/// Length of the number in front of a text, as CSS writes it: -1.5e3, .5; 0 for none.
+std::size_t end_of_number(std::string_view text) {
+    const auto digits_from = [&](std::size_t begin) {
+        return std::min(text.find_first_not_of("0123456789", begin), text.size()) - begin;
+    };
+    std::size_t at = text.starts_with('+') || text.starts_with('-') ? 1 : 0;
+    auto digits = digits_from(at);
+    at += digits;
+    if (at < text.size() && text[at] == '.') {
+        const auto behind = digits_from(at + 1);
+        at += behind > 0 || digits > 0 ? 1 + behind : 0;
+        digits += behind;
+    }
+    if (digits == 0) return 0;
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) { // em and ex are units
+        const bool has_sign = at + 1 < text.size() && (text[at + 1] == '+' || text[at + 1] == '-');
+        const auto power = at + (has_sign ? 2 : 1);
+        if (digits_from(power) > 0 && power < text.size()) at = power + digits_from(power);
+    }
+    return at;
+}
+
 /// Takes a number from the front of a text.
 std::optional<double> take_number(std::string_view& text) {
     constexpr double largest = 1e9;
-    auto digits = text;
-    if (digits.starts_with('+')) digits.remove_prefix(1);
-    double number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error != std::errc() || !(std::abs(number) <= largest))
-        return std::nullopt; // nan and inf are words of from_chars
-    text = digits.substr(std::size_t(end - digits.data()));
+    const auto end = end_of_number(text);
+    if (end == 0) return std::nullopt;
+    const double number = decimal::parse(text.substr(0, end));
+    if (!(std::abs(number) <= largest)) return std::nullopt;
+    text.remove_prefix(end);
     return number;
 }
 
@@ -84,9 +105,8 @@ std::optional<std::array<double, 4>> channels(std::string_view text) {
 std::string hex_of(const Color& color, double opacity) {
     const auto byte = [](double share) { return int(std::clamp(share, 0.0, 1.0) * 255 + 0.5); };
     const int alpha = byte(double(color.alpha) * opacity);
-    auto hex = fmt::format("#{:02x}{:02x}{:02x}", byte(double(color.red)), byte(double(color.green)),
-                           byte(double(color.blue)));
-    return alpha < 255 ? fmt::format("{}{:02x}", hex, alpha) : hex;
+    const int red = byte(double(color.red)), green = byte(double(color.green)), blue = byte(double(color.blue));
+    return alpha < 255 ? hex_color({red, green, blue, alpha}) : hex_color({red, green, blue});
 }
 
 } // namespace

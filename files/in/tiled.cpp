@@ -4,7 +4,6 @@
 #include "files/in/tiled_objects.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace sinew::files {
 namespace {
@@ -29,6 +28,9 @@ class TiledReader {
         find_extent(root_["layers"], 0);
         Drawing drawing((high_ - low_) * scale_, error_);
         drawing_ = &drawing;
+        if (root_["backgroundcolor"].exists())
+            drawing.notes().add(root_["backgroundcolor"].place(), "its backgroundcolor is not taken");
+        note_properties(root_);
         read_layers(root_["layers"], scaled_by(scale_, scale_) * moved_by(-low_), "", 0);
         for (const int axis : {0, 1}) merge_boxes(boxes_, axis);
         for (const auto& box : boxes_) add_box(box);
@@ -54,7 +56,7 @@ class TiledReader {
         const double number = root_[key].number();
         constexpr double most = 10'000;
         if (!(number >= 1 && number <= most))
-            root_[key].fail(fmt::format("expected a size from 1 to {:g} pixels", most));
+            root_[key].fail(format_text("expected a size from 1 to {:6} pixels", most));
         return number;
     }
 
@@ -177,26 +179,28 @@ class TiledReader {
         if (role == Role::none) return drawing_->notes().count(layer.place(), "left out, as its name says");
         const bool is_solid = role == Role::collider;
         std::size_t bare = 0;
+        bool has_shapes = false;
         const auto place_cells = [&](const JsonNode& part, double column, double row) {
             const auto width = part["width"].index(100'000), height = part["height"].index(100'000);
             const auto cells = cells_of(part["data"], layer, width * height);
             for (std::size_t i = 0; i < cells.size(); ++i)
-                if ((cells[i] & number_mask) != 0)
-                    bare += add_cell(cells[i],
-                                     map * moved_by({{(column + double(i % width)) * tile_[0],
-                                                      (row + double(i / width)) * tile_[1]}}),
-                                     is_solid, layer.place())
-                                ? 0
-                                : 1;
+                if ((cells[i] & number_mask) != 0) {
+                    const Vec2<double> corner{
+                        {(column + double(i % width)) * tile_[0], (row + double(i / width)) * tile_[1]}};
+                    const bool has_shape = add_cell(cells[i], map * moved_by(corner), is_solid, layer.place());
+                    has_shapes |= has_shape;
+                    bare += has_shape ? 0 : 1;
+                }
         };
         const auto chunks = layer["chunks"];
         if (!chunks.exists()) place_cells(layer, 0, 0);
         for (std::size_t k = 0; k < chunks.size(); ++k)
             place_cells(chunks[k], chunks[k]["x"].number(), chunks[k]["y"].number());
+        if (has_shapes) drawing_->notes().count(layer.place(), "pictures of tiles are not taken");
         if (bare > 0)
             drawing_->notes().add(
                 layer.place(),
-                fmt::format("{} tiles of the layer {} have no collision shape, and are not taken; a layer "
+                format_text("{} tiles of the layer {} have no collision shape, and are not taken; a layer "
                             "with ground, wall or collider in its name is solid",
                             bare, in_quotes(layer["name"].text_or(""))));
     }

@@ -3,6 +3,7 @@
 #include "sinew/scene/text.h"
 
 #include "files/in/encoded.h"
+#include "files/in/inflate.h"
 
 #include <algorithm>
 #include <tuple>
@@ -13,13 +14,16 @@ namespace {
 std::string cell_bytes(const JsonNode& data, const std::string& compression, std::size_t size) {
     auto bytes = from_base64(data.text());
     if (!bytes) data.fail("this is not base64");
-    if (compression == "zlib" || compression == "gzip")
-        bytes = inflated(*bytes, size);
-    else if (!compression.empty())
+    if (compression == "zlib" || compression == "gzip") {
+        auto read = inflate(*bytes, size);
+        if (!read.problem.empty()) data.fail(concat("the data of the layer is damaged: ", read.problem));
+        bytes = std::move(read.bytes);
+    } else if (!compression.empty()) {
         data.fail(concat("layers compressed by ", printable(compression),
                          " cannot be read: choose zlib, gzip or CSV in the map's properties"));
-    if (!bytes || bytes->size() != size)
-        data.fail(concat("the data of the layer is damaged: expected ", size, " bytes"));
+    }
+    if (bytes->size() != size)
+        data.fail(concat("the data of the layer is damaged: expected ", size, " bytes, found ", bytes->size()));
     return *bytes;
 }
 

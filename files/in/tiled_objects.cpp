@@ -1,11 +1,9 @@
 #include "files/in/tiled_objects.h"
 
-#include "files/in/text_place.h"
+#include "files/in/svg_values.h"
+#include "files/in/xml.h"
 
 #include <algorithm>
-#include <fmt/format.h>
-#include <pugixml.hpp>
-#include <sstream>
 
 namespace sinew::files {
 namespace {
@@ -25,71 +23,73 @@ Outline json_points(const JsonNode& list) {
     return points;
 }
 
-/// Tilesets of XML: only what collides.
+/// Tilesets of XML: their collision shapes.
 class TsxReader {
   public:
-    TsxReader(const std::string& name, const std::string& text) : name_(name), places_(text) {
-        const auto parsed = tree_.load_buffer(text.data(), text.size());
-        if (!parsed)
-            fail(std::size_t(std::max<std::ptrdiff_t>(parsed.offset, 0)),
-                 concat("the XML breaks off: ", parsed.description()));
-    }
+    TsxReader(const std::string& name, std::string text) : name_(name), document_(std::move(text)) {}
 
     Tileset read() {
-        const auto root = tree_.document_element();
-        if (root.name() != std::string_view("tileset")) fail(0, "expected <tileset>");
+        const auto& root = document_.root();
+        if (root.name != "tileset") fail(root, "expected <tileset>");
         Tileset tileset;
-        tileset.tile = {{root.attribute("tilewidth").as_double(), root.attribute("tileheight").as_double()}};
-        for (const auto tile : root.children("tile"))
-            for (const auto object : tile.child("objectgroup").children("object"))
-                tileset.shapes[tile.attribute("id").as_uint()].push_back(object_of(object));
+        tileset.tile = {{number(root, "tilewidth"), number(root, "tileheight")}};
+        for (const auto& tile : root.children) {
+            const auto* const group = tile.name == "tile" ? tile.child("objectgroup") : nullptr;
+            if (!group) continue;
+            const double id = number(tile, "id");
+            if (!(id >= 0)) fail(tile, "its id is not negative");
+            auto& shapes = tileset.shapes[std::size_t(id)];
+            for (const auto& object : group->children)
+                if (object.name == "object") shapes.push_back(object_of(object));
+        }
         return tileset;
     }
 
   private:
     const std::string& name_;
-    TextPlaces places_;
-    pugi::xml_document tree_;
+    XmlDocument document_;
 
-    [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
-        throw ImportError{concat(name_, ":", places_.at(offset)), message};
+    [[noreturn]] void fail(const XmlElement& element, const std::string& message) const {
+        throw ImportError{document_.place_of(element), message};
     }
-    double number(pugi::xml_node node, const char* name) const {
-        const double value = node.attribute(name).as_double();
-        if (!(absolute(value) <= furthest_in_map))
-            fail(std::size_t(node.offset_debug()), concat("its ", name, " is beyond a million"));
-        return value;
+    double number(const XmlElement& element, std::string_view name) const {
+        const auto text = element.value(name);
+        if (text.empty()) return 0;
+        const auto found = svg_value::numbers(text);
+        if (!found || found->size() != 1 || !(absolute((*found)[0]) <= furthest_in_map))
+            fail(element, concat("its ", name, " is a number up to a million, found ", in_quotes(text)));
+        return (*found)[0];
     }
 
-    TiledObject object_of(pugi::xml_node node) const {
+    TiledObject object_of(const XmlElement& element) const {
         using Kind = TiledObject::Kind;
         TiledObject object;
-        object.place = concat(name_, ":", places_.at(std::size_t(node.offset_debug())));
-        object.name = node.attribute("name").value();
-        object.type = node.attribute("class") ? node.attribute("class").value() : node.attribute("type").value();
-        object.at = {{number(node, "x"), number(node, "y")}};
-        object.size = {{number(node, "width"), number(node, "height")}};
-        object.rotation = number(node, "rotation");
+        object.place = concat(name_, ":", document_.place_of(element));
+        object.name = element.value("name");
+        object.type = element.value(element.has("class") ? "class" : "type");
+        object.at = {{number(element, "x"), number(element, "y")}};
+        object.size = {{number(element, "width"), number(element, "height")}};
+        object.rotation = number(element, "rotation");
         object.is_sensor = is_sensor_word(object.type);
-        if (node.child("ellipse")) object.kind = Kind::ellipse;
-        if (node.child("point")) object.kind = Kind::point;
-        if (node.child("text")) object.kind = Kind::text;
+        if (element.child("ellipse")) object.kind = Kind::ellipse;
+        if (element.child("point")) object.kind = Kind::point;
+        if (element.child("text")) object.kind = Kind::text;
         for (const auto* const name : {"polygon", "polyline"})
-            if (const auto line = node.child(name)) {
+            if (const auto* const line = element.child(name)) {
                 object.kind = name == std::string_view("polygon") ? Kind::polygon : Kind::polyline;
-                object.points = points_of(line);
+                object.points = points_of(*line);
             }
         return object;
     }
 
-    Outline points_of(pugi::xml_node node) const {
-        std::istringstream words(node.attribute("points").value());
+    Outline points_of(const XmlElement& element) const {
+        const auto numbers = svg_value::numbers(element.value("points"));
+        if (!numbers || numbers->size() % 2 != 0) fail(element, "its points are pairs of numbers, found others");
+        const auto count = numbers->size() / 2;
+        if (count < 2 || count > most_object_points)
+            fail(element, concat("a polygon has 2 to ", most_object_points, " points, found ", count));
         Outline points;
-        double x = 0, y = 0;
-        for (char comma = 0; words >> x >> comma >> y && points.size() <= most_object_points;)
-            points.push_back({{x, y}});
-        if (points.size() < 2 || points.size() > most_object_points)
-            fail(std::size_t(node.offset_debug()), concat("a polygon has 2 to ", most_object_points, " points"));
+        for (std::size_t i = 0; i < count; ++i) points.push_back({{(*numbers)[2 * i], (*numbers)[2 * i + 1]}});
         return points;
     }
 };
@@ -138,11 +138,14 @@ Tileset tileset_of(const JsonNode& node) {
 }
 
 Tileset tileset_in(const std::string& name, std::string text) {
-    if (text.find_first_not_of(" \t\r\n") != text.npos && text[text.find_first_not_of(" \t\r\n")] == '<')
-        return TsxReader(name, text).read();
+    const auto begin = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
     try {
+        if (begin != text.npos && text[begin] == '<') return TsxReader(name, std::move(text)).read();
         const JsonFile file(name, std::move(text));
-        return tileset_of(file);
+        auto tileset = tileset_of(file);
+        for (auto& [tile, shapes] : tileset.shapes)
+            for (auto& shape : shapes) shape.place = concat(name, ":", shape.place);
+        return tileset;
     } catch (ImportError& error) {
         error.place = concat(name, ":", error.place);
         throw;

@@ -2,7 +2,7 @@
 
 #include "files/out/glb_bytes.h"
 #include "files/out/joint_skin.h"
-#include "files/out/stored_png.h"
+#include "files/out/png_writer.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ GltfDocument::~GltfDocument() = default;
 int GltfDocument::add_texture(const Image& image, bool repeats) {
     constexpr int repeat = 10497, clamp_to_edge = 33071;
     auto& root = *root_;
-    const auto bytes = stored_png(image);
+    const auto bytes = png_of(image);
     const int view = add_view(std::as_bytes(std::span(bytes)), 0);
     binary_.resize((binary_.size() + 3) / 4 * 4); // numbers begin at multiples of four
     const int source = last_of(root["images"], {{"bufferView", view}, {"mimeType", "image/png"}});

@@ -1,5 +1,5 @@
 #include "canvas/png.h"
-#include "files/out/stored_png.h"
+#include "files/out/png_writer.h"
 #include "tests/canvas/scratch_folder.h"
 #include "tests/files/export_scenes.h"
 #include "tests/files/glb_file.h"
@@ -131,7 +131,7 @@ TEST(WornImage, KeepsItsPixels) {
 TEST(StoredPng, HoldsMoreThanABlock) {
     Image image{200, 100, {}}; // 80 100 bytes of rows
     for (std::uint32_t i = 0; i < 20'000; ++i) image.pixels.push_back(0xff000000U + i);
-    const auto bytes = files::stored_png(image);
+    const auto bytes = files::png_of(image);
     const auto read = canvas::read_png(std::as_bytes(std::span(bytes)), "i.png", {});
     ASSERT_TRUE(read.image) << read.problem;
     EXPECT_EQ(read.image->pixels, image.pixels);

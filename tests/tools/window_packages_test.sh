@@ -12,7 +12,7 @@ has_window() { ninja -C "$folder/build" -t targets all | grep '^libwindow.a:' >/
 fail() { cat "$folder/log"; echo "$1"; exit 1; }
 
 mkdir "$folder/pc"
-for needed in cairo libxxhash pugixml; do package $needed; done
+for needed in cairo libxxhash; do package $needed; done
 export PKG_CONFIG_LIBDIR=$folder/pc
 unset PKG_CONFIG_PATH
 cmake -G Ninja -S . -B "$folder/build" -D SINEW_TESTS=OFF >"$folder/log" 2>&1 || fail "does not configure"
