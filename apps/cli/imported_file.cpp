@@ -4,7 +4,6 @@
 
 #include "apps/cli/console.h"
 
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
@@ -14,14 +13,6 @@ namespace sinew::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A name that files and figures can have: letters, digits, _ and -.
-std::string title_from(const fs::path& path) {
-    std::string title;
-    for (const char c : path.stem().string().substr(0, 40))
-        title += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
-    return title.empty() ? "scene" : title;
-}
 
 /// The whole file; of one beyond the limit so much that it is refused.
 std::string read_bytes(const fs::path& path) {
@@ -48,13 +39,19 @@ void write_file(const fs::path& path, const std::string& bytes) {
 } // namespace
 
 files::ImportFile read_import(const fs::path& path) {
-    return {path.string(), title_from(path), read_bytes(path),
+    return {path.string(), files::title_of(path.filename().string()), read_bytes(path),
             path.has_parent_path() ? path.parent_path() : fs::path(".")};
 }
 
 void write_import(const files::Imported& imported, const fs::path& target) {
     for (const auto& side : imported.beside) write_file(target.parent_path() / side.name, side.bytes);
     write_file(target, json::to_text(imported.scene) + "\n");
+}
+
+void write_import_notes(const files::Imported& imported, const fs::path& file, const fs::path& target) {
+    std::string text;
+    for (const auto& note : imported.notes) text += import_note(file, note) + '\n';
+    write_file(target, text);
 }
 
 std::string import_counts(const files::Imported& imported) {

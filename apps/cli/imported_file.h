@@ -12,6 +12,10 @@ files::ImportFile read_import(const std::filesystem::path& path);
 /// Writes a scene and the files beside it.
 void write_import(const files::Imported& imported, const std::filesystem::path& target);
 
+/// Writes the notes, a line each.
+void write_import_notes(const files::Imported& imported, const std::filesystem::path& file,
+                        const std::filesystem::path& target);
+
 /// "3 figures, 1 collider, 2 files beside it"
 std::string import_counts(const files::Imported& imported);
 /// "logo.svg:12:3: note: <text> is not taken"

@@ -69,9 +69,12 @@ play::Converted convert(const std::filesystem::path& path) {
         const auto imported = import_of(file, {});
         write_import(imported, scene);
         auto message = fmt::format("imported: {}", import_counts(imported));
-        if (!imported.notes.empty())
-            message +=
-                fmt::format("; {} on what it could not take, in the terminal", count_of(imported.notes.size(), "note"));
+        if (!imported.notes.empty()) {
+            const auto notes = std::filesystem::path("out") / (file.title + "_notes.txt");
+            write_import_notes(imported, path, notes);
+            message += fmt::format("; {} on what it could not take: {}", count_of(imported.notes.size(), "note"),
+                                   notes.string());
+        }
         for (const auto& note : imported.notes) print_error(import_note(path, note) + '\n');
         return {scene, "", std::move(message)};
     } catch (const CommandError& problem) {

@@ -20,8 +20,12 @@ TEST(PlayCommand, MakesASceneOfADrawing) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(has(outcome.out, "\"what\": \"imported\""));
     EXPECT_TRUE(has(outcome.err, "logo.svg:1:30: <text>: note: <text> is not taken"));
-    for (const char* name : {"out/logo.json", "out/logo-2.json"}) // dropped again: nothing is replaced
+    for (const char* name : {"out/logo.json", "out/logo_notes.txt", "out/logo-2.json",
+                             "out/logo-2_notes.txt"}) // dropped again: nothing is replaced
         EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+    std::ifstream notes(folder / "out/logo_notes.txt");
+    const std::string told{std::istreambuf_iterator<char>(notes), {}};
+    EXPECT_TRUE(has(told, "logo.svg:1:30: <text>: note: <text> is not taken")) << told;
 }
 
 TEST(PlayCommand, RefusesABrokenModelWithItsPlace) {
