@@ -1,6 +1,6 @@
 /* The C face of Sinew, in C11: everything that a scene file can say, edits, grabs, cuts, events, queries, the state
  * hash and the picture as a display list. The WebAssembly module of web/sinew exports every function but those marked
- * SINEW_PROGRAM_API, which are for programs: empty worlds, user data, debug drawing, export, hooks.
+ * SINEW_PROGRAM_API, which are for programs: empty worlds, user data, debug drawing, export, import, hooks.
  *
  * Two objects, named by handles:
  *   sinew_simulation  a running scene without a pointer: open, step, read columns, edit, draw.
@@ -755,6 +755,38 @@ SINEW_PROGRAM_API sinew_status sinew_export_file(sinew_export handle, uint32_t i
 /* A sentence about what the format could not take, or how exact the file is; SINEW_NOT_FOUND after the last. */
 SINEW_PROGRAM_API sinew_status sinew_export_note(sinew_export handle, uint32_t index, const char** note);
 SINEW_PROGRAM_API sinew_status sinew_export_close(sinew_export handle);
+
+/* --- import: files of other programs as scenes -------------------------------------------------------------------- */
+
+typedef struct sinew_import {
+    uint32_t id;
+} sinew_import;
+/* Wishes for a scene, and files beside the imported one. All zero but `struct_size` is a good start. */
+typedef struct sinew_import_spec {
+    uint32_t struct_size;
+    uint32_t file_count;           /* files that the imported one may refer to: buffers, tilesets */
+    const char* const* file_names; /* as it calls them, or the last part of that */
+    const uint8_t* const* file_bytes;
+    const size_t* file_sizes;
+    const char* role; /* of shapes whose names tell nothing: "jelly", "collider"; null: the format's own */
+    double error;     /* largest distance of a simplified outline, pixels; 0: the format's own */
+    double scale;     /* length in the scene of a unit of the file; 0: the format's own */
+} sinew_import_spec;
+/* Makes a scene of an SVG, a PNG, an OBJ, a glTF, a map of Tiled or Coding Math's points and sticks, by content or else
+ * by the ending of `name`. On SINEW_BAD_ARGUMENT sinew_message() has the place in the file: "logo.svg:12:3: ...".
+ * `spec` may be null. */
+SINEW_PROGRAM_API sinew_status sinew_import_open(const char* name, const uint8_t* bytes, size_t size,
+                                                 const sinew_import_spec* spec, sinew_import* handle);
+/* The text of the scene, valid until the import is closed. */
+SINEW_PROGRAM_API sinew_status sinew_import_scene(sinew_import handle, const char** scene);
+/* A file that the scene refers to, an image or a model; SINEW_NOT_FOUND after the last. */
+SINEW_PROGRAM_API sinew_status sinew_import_file(sinew_import handle, uint32_t index, const char** name,
+                                                 const uint8_t** bytes, size_t* size);
+/* Something that a scene cannot hold, with its place in the file ("12:3", "" for the whole); SINEW_NOT_FOUND after the
+ * last. */
+SINEW_PROGRAM_API sinew_status sinew_import_note(sinew_import handle, uint32_t index, const char** place,
+                                                 const char** note);
+SINEW_PROGRAM_API sinew_status sinew_import_close(sinew_import handle);
 
 /* --- hooks, set before any other thread calls the library -------------------------------------------------------- */
 

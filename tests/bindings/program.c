@@ -315,6 +315,53 @@ static void files_are_bytes(void) {
     CHECK(sinew_close(world) == SINEW_OK);
 }
 
+/* A drawing becomes a scene, and a map that refers to a tileset beside it. */
+static void other_files_are_scenes(void) {
+    static const char drawing[] = "<svg width='90' height='90'>\n<text>a</text><rect width='9' height='9'/></svg>";
+    static const char map[] = "{\"tilewidth\":8,\"tileheight\":8,\"width\":1,\"height\":1,\"tilesets\":[{\"firstgid\":1,"
+                              "\"source\":\"t/a.tsx\"}],\"layers\":[{\"type\":\"tilelayer\",\"width\":1,\"height\":1,"
+                              "\"data\":[1]}]}";
+    static const char tiles[] = "<tileset tilewidth='8' tileheight='8'><tile id='0'><objectgroup><object width='8' "
+                                "height='8'/></objectgroup></tile></tileset>";
+    const char* const names[] = {"a.tsx"};
+    const uint8_t* const contents[] = {(const uint8_t*)tiles};
+    const size_t sizes[] = {sizeof tiles - 1};
+    sinew_import_spec spec = {.struct_size = sizeof spec, .role = "jelly"};
+    sinew_import file;
+    sinew_simulation world;
+    const char *text = NULL, *place = NULL, *note = NULL;
+    const uint8_t* bytes = NULL;
+    size_t size = 0;
+    CHECK(sinew_import_open("a.svg", (const uint8_t*)drawing, sizeof drawing - 1, &spec, &file) == SINEW_OK);
+    CHECK(sinew_import_scene(file, &text) == SINEW_OK && strstr(text, "\"internal_damping\"") != NULL);
+    CHECK(sinew_open(text, NULL, &world) == SINEW_OK);
+    CHECK(sinew_step(world, 2) == SINEW_OK && sinew_close(world) == SINEW_OK);
+    CHECK(sinew_import_note(file, 0, &place, &note) == SINEW_OK);
+    CHECK(strncmp(place, "2:2", 3) == 0 && strstr(note, "<text>") != NULL);
+    CHECK(sinew_import_note(file, 1, &place, &note) == SINEW_NOT_FOUND);
+    CHECK(sinew_import_file(file, 0, &text, &bytes, &size) == SINEW_NOT_FOUND);
+    CHECK(sinew_import_close(file) == SINEW_OK);
+    CHECK(sinew_import_close(file) == SINEW_BAD_HANDLE);
+    CHECK(sinew_import_scene(file, &text) == SINEW_BAD_HANDLE);
+
+    CHECK(sinew_import_open("a.tmj", (const uint8_t*)map, sizeof map - 1, NULL, &file) == SINEW_BAD_ARGUMENT);
+    CHECK(strstr(sinew_message(), "a.tmj:1:") != NULL && strstr(sinew_message(), "t/a.tsx") != NULL);
+    spec = (sinew_import_spec){.struct_size = sizeof spec, .file_count = 1};
+    CHECK(sinew_import_open("a.tmj", (const uint8_t*)map, sizeof map - 1, &spec, &file) == SINEW_BAD_ARGUMENT);
+    spec.file_names = names, spec.file_bytes = contents, spec.file_sizes = sizes;
+    CHECK(sinew_import_open("a.tmj", (const uint8_t*)map, sizeof map - 1, &spec, &file) == SINEW_OK);
+    CHECK(sinew_import_scene(file, &text) == SINEW_OK && strstr(text, "\"colliders\"") != NULL);
+    CHECK(sinew_import_close(file) == SINEW_OK);
+
+    CHECK(sinew_import_open("a.svg", NULL, 0, NULL, &file) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_import_open("a.svg", NULL, 9, NULL, &file) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_import_open("a.xyz", (const uint8_t*)"?", 1, NULL, &file) == SINEW_BAD_ARGUMENT);
+    spec = (sinew_import_spec){.struct_size = sizeof spec, .role = "king"};
+    CHECK(sinew_import_open("a.svg", (const uint8_t*)drawing, sizeof drawing - 1, &spec, &file) == SINEW_BAD_ARGUMENT);
+    spec = (sinew_import_spec){.struct_size = sizeof spec, .error = NAN};
+    CHECK(sinew_import_open("a.svg", (const uint8_t*)drawing, sizeof drawing - 1, &spec, &file) == SINEW_BAD_ARGUMENT);
+}
+
 int main(void) {
     an_empty_world_falls();
     wrong_sizes_and_numbers_are_errors();
@@ -325,6 +372,7 @@ int main(void) {
     hooks_are_called();
     contacts_are_filtered();
     files_are_bytes();
+    other_files_are_scenes();
     if (failures == 0) printf("all right\n");
     return failures != 0;
 }
