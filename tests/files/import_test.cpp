@@ -24,7 +24,10 @@ TEST(Import, EverySampleIsASceneThatOpensAndSteps) {
          {"svg/logo.svg",    "svg/level.svg",        "svg/icons.svg",    "png/cat.png",       "png/donut.png",
           "png/leaves.png",  "obj/banner.obj",       "obj/pudding.obj",  "obj/napkin.obj",    "gltf/human.glb",
           "gltf/rigged.glb", "gltf/tablecloth.gltf", "gltf/robot.gltf",  "tiled/level.tmj",   "tiled/cave.tmj",
-          "tiled/room.tmj",  "points/box.json",      "points/rope.json", "points/wheel.json"}) {
+          "tiled/room.tmj",  "points/box.json",      "points/rope.json", "points/wheel.json", "made/word.svg",
+          "made/gear.svg",   "made/room.svg",        "made/table.obj",   "made/drops.obj",    "made/curtain.obj",
+          "made/table.glb",  "made/curtain.gltf",    "made/puppet.gltf", "made/slopes.tmj",   "made/endless.tmj",
+          "made/house.tmj"}) {
         std::string why;
         auto opened = open_imported(import_sample(name), &why);
         ASSERT_TRUE(opened) << name << "\n" << why;
