@@ -6,6 +6,7 @@ import operator
 import os
 import pickle
 import re
+import resource
 import statistics
 import subprocess
 import sys
@@ -15,16 +16,17 @@ from pathlib import Path
 
 from sinew.study import Study
 from sinew.study.case import run_cases
-from sinew.study.results import Results
+from sinew.study.page import choose
+from sinew.study.results import Results, write_csv
 
 page = Path(__file__).resolve().parents[3] / "docs" / "how" / "studies.md"
 
 
 def study_of(folder, seconds):
-    """The study of the page, with 1000 cases of so many seconds."""
+    """The study of the page, with 200,000 cases of so many seconds."""
     given = json.loads(re.search(r"<!-- bridge.study.json -->\n```json\n(.*?)```", page.read_text(), re.DOTALL)[1])
     given["until"] = seconds
-    given["vary"]["figures.bridge.slack"]["steps"] = 500
+    given["vary"]["figures.bridge.slack"]["steps"] = 100_000
     path = Path(folder) / f"bridge-{seconds}.study.json"
     path.write_text(json.dumps(given))
     return Study(path)
@@ -76,6 +78,10 @@ def main():
         tell("a row on disk", os.path.getsize(base) / (count + 2000), "bytes")
         with Results(short.file, Path(folder) / "b.sqlite") as results:
             tell("rows put together", a_second(count + 2000, lambda: results.merge(base)), "a second")
+            tell("rows of the table written", a_second(count + 2000, lambda: write_csv(short.file, results, Path(folder) / "t.csv")), "a second")
+            tell("a row of the table", os.path.getsize(Path(folder) / "t.csv") / (count + 2000), "bytes")
+            tell("rows walked for the page", a_second(count + 2000, lambda: choose(short.file, results, count + 2000)), "a second")
+        tell("memory of all that", resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024, "MB")
     tell("start of a worker", 1 / a_second(1, lambda: subprocess.run([sys.executable, "-c", "import sinew.study"], check=True)), "s")
     with concurrent.futures.ProcessPoolExecutor(2) as executor:
         tell("tasks through a pool of 2 processes", tasks_a_second(executor, 5000), "a second")

@@ -30,6 +30,19 @@ def id_of(which: object, what: str) -> int:
     return number
 
 
+def count_of(number: object, what: str) -> int:
+    """A number of the engine's 32 bits. Raises TypeError for what is no whole number."""
+    count = index(number)  # type: ignore[arg-type]
+    if not 0 <= count < 2**32:
+        raise ArgumentError(f"{what} is 0 to {2**32 - 1}, not {count}")
+    return count
+
+
+def is_name(text: str) -> bool:
+    """Text that the engine can look up: neither a zero nor half of a character."""
+    return "\0" not in text and not any("\ud800" <= letter <= "\udfff" for letter in text)
+
+
 def duration(seconds: float) -> float:
     if not 0 <= seconds <= 1e9:
         raise ArgumentError(f"a duration is 0 to 1e9 seconds, not {seconds}")

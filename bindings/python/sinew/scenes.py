@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Iterator, Mapping, NamedTuple, Union
 
 from . import _core
+from ._numbers import is_name
 from .errors import ArgumentError, Diagnostic, NotFoundError, SceneError
 
 #: A scene: a dict, JSON text, the path of a file, or a name of the catalogue.
@@ -46,6 +47,13 @@ class Source(NamedTuple):
 
 
 def source_of(scene: Scene) -> Source:
+    source = _source_of(scene)
+    if "\0" in source.text:
+        raise ArgumentError(f"{source.name}: the scene has a zero byte")
+    return source
+
+
+def _source_of(scene: Scene) -> Source:
     if isinstance(scene, Mapping):
         return Source(_json_of(scene), "scene", Path())
     if isinstance(scene, str) and scene.lstrip().startswith("{"):
@@ -61,6 +69,8 @@ def _json_of(value: Any) -> str:
         return json.dumps(value, default=_plain, ensure_ascii=False)
     except TypeError as problem:
         raise TypeError(f"a scene holds what JSON can say: {problem}") from None
+    except (ValueError, RecursionError):
+        raise ArgumentError("a scene holds what JSON can say: this one contains itself, or is too deep") from None
 
 
 def _plain(value: Any) -> Any:
@@ -90,7 +100,14 @@ def path_of(scene: str | os.PathLike[str]) -> Path:
 
 def overrides_of(values: Mapping[str, Any]) -> list[str]:
     """Pairs "path=value" of a dict, whose values may be dicts: {"solver": {"substeps": 16}} is "solver.substeps=16"."""
-    return [f"{path}={_value_text(value)}" for path, value in _leaves(values, "")]
+    try:
+        pairs = [f"{path}={_value_text(value)}" for path, value in _leaves(values, "")]
+    except RecursionError:
+        raise ArgumentError("a value contains itself, or is too deep") from None
+    for pair in pairs:
+        if not is_name(pair):
+            raise ArgumentError(f"a value has a zero or half of a character: {pair!r}")
+    return pairs
 
 
 def _leaves(values: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Any]]:
@@ -124,7 +141,7 @@ def _document(text: str) -> Any:
     lines = ("" if line.lstrip().startswith("//") else line for line in text.splitlines())
     try:
         return json.loads("\n".join(lines))
-    except ValueError:
+    except (ValueError, RecursionError):
         return {}
 
 
@@ -137,6 +154,13 @@ class Files(NamedTuple):
 
 
 def files_of(source: Source) -> Files:
+    try:
+        return _files_of(source)
+    except RecursionError:  # deeper than the engine reads, which says so
+        return Files([], [])
+
+
+def _files_of(source: Source) -> Files:
     document = _document(source.text)
     images = {}
     for image in _under(document, "image"):
@@ -154,20 +178,19 @@ def opened(scene: Scene, overrides: Mapping[str, Any]) -> tuple[_core.Simulation
     source = source_of(scene)
     files = files_of(source)
     text = source.text.encode("utf-8", "surrogateescape")
-    if b"\0" in text:
-        raise ArgumentError(f"{source.name}: the scene has a zero byte")
     core = _core.Simulation(text, os.fsencode(source.name), overrides_of(overrides), files.images, files.models)
     return core, files
 
 
-def check(scene: Scene, **overrides: Any) -> list[Diagnostic]:
-    """The mistakes of a scene, each with line, column and what was meant; empty if there are none.
+def check(scene: Scene, overrides: Mapping[str, Any] | None = None, /, **more: Any) -> list[Diagnostic]:
+    """The mistakes of a scene, each with line, column and what was meant; empty if there are none. Values are set as
+    ``sinew.open`` does.
 
     >>> [mistake.message for mistake in check({"sinew": 1, "figures": [{"prefab": "rope", "lenght": 2}]})]
     ['unknown property "lenght"']
     """
     try:
-        opened(scene, overrides)[0].close()
+        opened(scene, {**(overrides or {}), **more})[0].close()
         return []
     except SceneError as error:
         return error.errors

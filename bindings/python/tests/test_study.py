@@ -2,8 +2,8 @@
 
 import csv
 import json
-import math
 import os
+import pty
 import signal
 import sqlite3
 import subprocess
@@ -11,15 +11,12 @@ import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
 
 import sinew
 from conftest import pendulum, swing, written
-from sinew.study import ResultsError, Study, StudyError
-from sinew.study.design import Design, Variation
-from sinew.study.located import Reader
+from sinew.study import ResultsError, Study
+
 
 def table(study):
     with open(study.folder / "table.csv", newline="") as file:
@@ -202,54 +199,21 @@ def test_a_wrong_row_is_found_out(tmp_path):
     assert study.verify(12) == [3]
 
 
+def test_a_terminal_sees_a_bar_and_a_pipe_none(tmp_path):
+    path = written(tmp_path, swing)
+    terminal, end = pty.openpty()
+    subprocess.run([sys.executable, "-m", "sinew", "study", path, "-j", "1"], check=True, stdout=subprocess.DEVNULL, stderr=end)
+    os.close(end)
+    shown = os.read(terminal, 100_000).decode()
+    os.close(terminal)
+    assert f"[{'#' * 30}] 12 of 12, 0 failed" in shown and "Traceback" not in shown
+
+
 def test_any_executor_runs_a_study(tmp_path):
     study = Study(written(tmp_path, swing))
     with ThreadPoolExecutor(3) as pool:
         assert study.run(pool, workers=3) == 0
     assert len(study.rows()) == 12
-
-
-wrong = [
-    ("{", "expected a name", 1), ('{"sinew_study": 1} x', "more follows", 1), ("", "expected a value", 1), ("[1]", "expected an object", 1),
-    ('{"a": 1, "a": 2}', '"a" is said twice', 1), ('{"a": tru}', "expected a value", 1), ('{"a" 1}', "expected :", 1), ("[" * 5000, "levels", 1),
-    ({"scen": 1}, 'unknown property "scen"', 2), ({"scene": "ragdol"}, "did you mean 'ragdoll'", None),
-    ({"scene": "missing.json"}, "there is no file", None), ({"scene": {"sinew": 1, "figuers": []}}, "figuers", None),
-    ({"vary": {"world.gravty": [1]}}, 'unknown property "gravty"', None), ({"vary": {"world.damping": [0, -1]}}, "for -1", None),
-    ({"vary": {"world.damping": []}}, "empty list", None), ({"vary": {"world.damping": {"from": 0, "to": 1}}}, "needs a number of steps", None),
-    ({"vary": {"world.damping": {"from": 2, "to": 1, "steps": 2}}}, "ends before it begins", None),
-    ({"vary": {"world.damping": {"from": 0, "to": 1, "steps": 2, "scale": "log"}}}, "above 0", None),
-    ({"vary": {"world.damping": {"from": 0, "to": 1, "step": 2}}}, 'did you mean "steps"', None),
-    ({"vary": {"world.damping": {"from": 0, "to": 1, "steps": 9e6}, "world.gravity.0": {"from": 0, "to": 1, "steps": 9e6}}}, "cases are more than", None),
-    ({"sample": "sobol"}, "needs a number of cases", None), ({"sample": "sobl", "cases": 4}, 'did you mean "sobol"', None),
-    ({"cases": 4}, "follow from what varies", None),
-    ({"sample": "list", "vary": {"world.damping": [1, 2], "solver.substeps": [4]}}, "equal length", None),
-    ({"measure": {"x": "enery"}}, 'did you mean "energy"', None), ({"measure": {"x": "bob/wieght.y"}}, "did you mean", None),
-    ({"measure": {"x": "bob/weight.z"}}, "is no number of a part", None), ({"measure": {"x": {"max": 3}}}, "name of a quantity", None),
-    ({"measure": {"x": {"first": "tron"}}}, 'did you mean "torn"', None), ({"measure": {"x": {"function": "no.py:f"}}}, "no.py", None),
-    ({"measure": {"x": {"max": "energy", "min": "energy"}}}, "one of its words", None), ({"measure": {"x": 3}}, "expected an object", None),
-    ({"until": -1}, "out of range", None), ({"until": {"event": "tron"}}, "torn", None), ({"best": "hieght"}, 'did you mean "height"', None),
-    ({"repetitions": 0}, "out of range", None), ({"seed": 1.5}, "whole number", None), ({"set": {"world.dampin": 1}}, "dampin", None),
-]
-
-
-@pytest.mark.parametrize("given, message, line", wrong, ids=range(len(wrong)))
-def test_every_mistake_has_its_place(tmp_path, given, message, line):
-    text = given if isinstance(given, str) else json.dumps({**swing, **given}, indent=1)
-    with pytest.raises(StudyError) as caught:
-        Study(written(tmp_path, text))
-    assert message in str(caught.value)
-    for mistake in caught.value.errors:
-        place = text.split("\n")[mistake.line - 1]
-        assert 1 <= mistake.column <= len(place) + 1
-        assert f":{mistake.line}:{mistake.column}: error: " in mistake.text and "^" in mistake.text
-
-
-def test_all_mistakes_are_told_at_once_and_point_at_their_words(tmp_path):
-    text = json.dumps({**swing, "scen": 1, "seed": "x", "sample": "grdi"}, indent=1)
-    with pytest.raises(StudyError) as caught:
-        Study(written(tmp_path, text))
-    words = [text.split("\n")[m.line - 1][m.column - 1 :][: m.length] for m in caught.value.errors]
-    assert words == ['"scen"', '"x"', '"grdi"']
 
 
 def test_the_command_tells_mistakes_and_exit_codes(tmp_path):
@@ -267,77 +231,3 @@ def test_the_command_tells_mistakes_and_exit_codes(tmp_path):
         done = run(*words)
         assert done.returncode == code and done.stderr and "Traceback" not in done.stderr
     assert subprocess.run([sys.executable, "-m", "sinew"], capture_output=True).returncode == 2
-
-
-json_values = st.recursive(st.none() | st.booleans() | st.integers(-10**6, 10**6) | st.floats(allow_nan=False, allow_infinity=False) | st.text(),
-                           lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(), inner, max_size=4), max_leaves=20)
-
-
-@given(json_values, st.sampled_from([None, 1, 4]))
-def test_the_reader_reads_json(value, indent):
-    text = json.dumps(value, indent=indent)
-    node = Reader(text).document()
-    assert node.plain() == value and json.loads(text[node.start : node.end]) == value
-
-
-@given(st.text('{}[]":,truefalsn10.e-+ \n/', max_size=60))
-def test_the_reader_accepts_what_json_accepts(text):
-    from sinew.study.located import Syntax
-
-    try:
-        expected = json.loads(text, object_pairs_hook=list)
-    except ValueError:
-        expected = Syntax
-    try:
-        Reader(text).document()
-        assert expected is not Syntax or "//" in text
-    except Syntax as error:
-        assert 0 <= error.at <= len(text)
-        assert expected is Syntax or "twice" in str(error)
-
-
-@pytest.mark.parametrize("sample", ["random", "latin_hypercube", "sobol"])
-@given(cases=st.integers(1, 200), dimensions=st.integers(1, 5), seed=st.integers(0, 2**32))
-@settings(max_examples=15)
-def test_samples_stay_in_their_range_and_follow_the_seed(sample, cases, dimensions, seed):
-    if sample != "random":
-        pytest.importorskip("scipy")
-    vary = {f"p{i}": Variation(low=1, high=100, is_log=i % 2 == 1, is_integer=i == 2) for i in range(dimensions)}
-    values, again = Design(vary, {}, sample, cases, 1, seed).values(), Design(vary, {}, sample, cases, 1, seed).values()
-    for number in range(cases):
-        assert values[number] == again[number]
-        assert all(1 <= value <= 100 * (1 + 1e-12) for value in values[number].values())
-        assert dimensions < 3 or isinstance(values[number]["p2"], int)
-
-
-def test_a_latin_hypercube_has_one_case_in_every_slice():
-    pytest.importorskip("scipy")
-    values = Design({"a": Variation(low=0, high=1), "b": Variation(low=0, high=1)}, {}, "latin_hypercube", 50, 1, 3).values()
-    for name in "ab":
-        assert sorted(int(values[number][name] * 50) for number in range(50)) == list(range(50))
-
-
-def test_sobol_points_fill_boxes_evenly():
-    """Of 64 points every dyadic box of area 1/16 has 4."""
-    pytest.importorskip("scipy")
-    values = Design({"a": Variation(low=0, high=1), "b": Variation(low=0, high=1)}, {}, "sobol", 64, 1, 3).values()
-    boxes = np.zeros((4, 4))
-    for number in range(64):
-        boxes[int(values[number]["a"] * 4), int(values[number]["b"] * 4)] += 1
-    assert (boxes == 4).all()
-
-
-@given(st.lists(st.integers(1, 5), min_size=0, max_size=4), st.integers(1, 3))
-def test_a_grid_has_every_combination_once(lengths, repetitions):
-    vary = {f"p{i}": Variation(values=tuple(range(n))) for i, n in enumerate(lengths)}
-    design = Design(vary, {}, "grid", 0, repetitions)
-    assert len(design) == math.prod(lengths) * repetitions
-    values = design.values()
-    assert len({tuple(values[number].values()) for number in range(0, len(design), repetitions)}) == math.prod(lengths)
-
-
-def test_repetitions_differ_in_the_noise_alone():
-    design = Design({"a": Variation(values=(1, 2))}, {"n": Variation(low=0, high=1)}, "grid", 0, 3, 5)
-    rows = [design.values()[number] for number in range(6)]
-    assert [row["a"] for row in rows] == [1, 1, 1, 2, 2, 2]
-    assert len({row["n"] for row in rows}) == 6

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
+import signal
+import threading
 import time
-from typing import Any, Iterable, NamedTuple
+from typing import Any, Iterable, Iterator, NamedTuple
 
 from .. import _core
 from ..errors import SceneError
-from ..scenes import overrides_of
+from ..scenes import Files, overrides_of
 from ..simulation import Simulation
 from .measures import Measures, Quantity
 
@@ -40,11 +43,10 @@ class Failed(Exception):
     pass
 
 
-def simulation_of(job: Job, values: dict[str, Any]) -> Simulation:
-    from ..scenes import Files
-
-    overrides = overrides_of({**job.set, **values})
-    return Simulation(_core.Simulation(job.text, job.name, overrides, [], job.models), Files([], job.models))
+def simulation_of(job: Job, values: dict[str, Any], images: list[tuple[str, bytes]] | None = None) -> Simulation:
+    """The scene of a case at its start; its bits are the same without images."""
+    files = Files(images or [], job.models)
+    return Simulation(_core.Simulation(job.text, job.name, overrides_of({**job.set, **values}), files.images, files.models), files)
 
 
 def functions_of(job: Job) -> dict[str, Quantity]:
@@ -61,6 +63,26 @@ def functions_of(job: Job) -> dict[str, Quantity]:
     return found
 
 
+@contextlib.contextmanager
+def within(seconds: float) -> Iterator[None]:
+    """Raises Failed in the block after so many real seconds, also in a function that never returns. Only a main thread can
+    be interrupted; in any other a case looks at the clock between its steps."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def late(number: int, frame: object) -> None:
+        raise Failed(f"it took longer than {seconds:g} s")
+
+    before = signal.signal(signal.SIGALRM, late)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+
+
 def run_cases(job: Job, cases: Iterable[tuple[int, dict[str, Any]]]) -> list[Row]:
     """Runs cases one after the other. A case that fails is a row with its reason."""
     return [_run(job, number, values) for number, values in cases]
@@ -71,9 +93,9 @@ def _run(job: Job, number: int, values: dict[str, Any]) -> Row:
     measures: dict[str, float | None] = {}
     hash_, reason = "", ""
     try:
-        with simulation_of(job, values) as simulation:
+        with within(job.time_limit), simulation_of(job, values) as simulation:
             measuring = Measures(job.measure, functions_of(job), simulation)
-            _advance(job, simulation, measuring, start + job.time_limit)
+            advance(job, simulation, measuring, start + job.time_limit)
             hash_ = simulation.hash()
             measures = measuring.results(simulation)
             frozen = [event.where for event in simulation.events() if event.what == "quarantined"]
@@ -81,12 +103,16 @@ def _run(job: Job, number: int, values: dict[str, Any]) -> Row:
                 raise Failed(f"{frozen[0]} became infinite or not-a-number, and is frozen")
     except SceneError as error:
         reason = "; ".join(mistake.message for mistake in error.errors)
-    except Exception as problem:  # of a measure in Python, above all: the other cases go on
-        reason = f"{type(problem).__name__}: {problem}" if not isinstance(problem, Failed) else str(problem)
+    except Failed as problem:
+        reason = str(problem)
+    except KeyboardInterrupt:
+        raise
+    except BaseException as problem:  # of a measure in Python, above all, also sys.exit(): the other cases go on
+        reason = f"{type(problem).__name__}: {problem}"
     return Row(number, measures, hash_, reason, time.perf_counter() - start)
 
 
-def _advance(job: Job, simulation: Simulation, measuring: Measures, deadline: float) -> None:
+def advance(job: Job, simulation: Simulation, measuring: Measures, deadline: float) -> None:
     """Steps to the end of the case. Looks at measures over time in every step, and else at events and the clock as seldom
     as they allow."""
     left = round(job.seconds * simulation.rate)

@@ -24,16 +24,22 @@ def _part(text: str) -> tuple[int, int]:
     return number, count
 
 
+def _count(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"a number from 1 on is expected, not {text!r}")
+    return int(text)
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser("sinew study", description=_about, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", help="a study file")
     parser.add_argument("-o", "--output", metavar="FOLDER", help="folder of the results")
-    parser.add_argument("-j", "--workers", type=int, metavar="N", help="processes; the number of cores if left out")
+    parser.add_argument("-j", "--workers", type=_count, metavar="N", help="processes; the number of cores if left out")
     parser.add_argument("--fresh", action="store_true", help="throw earlier results away")
     parser.add_argument("--check", action="store_true", help="only check the file, and tell the number of cases")
     parser.add_argument("--part", type=_part, metavar="I/N", help="run the I-th of N parts, into a file of its own")
     parser.add_argument("--collect", action="store_true", help="put the parts together")
-    parser.add_argument("--verify", type=int, metavar="N", help="run N of the cases again, and compare their hashes")
+    parser.add_argument("--verify", type=_count, metavar="N", help="run N of the cases again, and compare their hashes")
     return parser
 
 
@@ -43,7 +49,8 @@ def main(arguments: Sequence[str]) -> int:
     try:
         return _run(Study(options.file, options.output), options)
     except (Error, OSError) as problem:
-        print(problem if isinstance(problem, Error) else f"{problem.filename}: {problem.strerror}", file=sys.stderr)
+        where = options.file if not isinstance(problem, OSError) or problem.filename is None else problem.filename
+        print(problem if isinstance(problem, Error) else f"{where}: {problem.strerror or problem}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print("\ninterrupted; run it again to go on", file=sys.stderr)

@@ -110,5 +110,5 @@ def _shares(sample: str, cases: int, dimensions: int, seed: int) -> npt.NDArray[
 
     if sample == "latin_hypercube":
         return np.asarray(qmc.LatinHypercube(dimensions, seed=seed).random(cases))
-    # Any number of points: SciPy warns that balance needs a power of two, which the checker says, too.
+    # Any number of points, the first of a power of two of them: those alone are balanced.
     return np.asarray(qmc.Sobol(dimensions, seed=seed).random_base2(max(1, cases - 1).bit_length())[:cases])

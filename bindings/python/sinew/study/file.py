@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import itertools
 import json
 from pathlib import Path
 from typing import Any
@@ -10,12 +11,13 @@ from typing import Any
 from .. import scenes
 from ..errors import Error, SceneError
 from .case import Job, simulation_of
-from .design import Design, Variation, samples
-from .located import Mistakes, Node, Reader, Syntax, nearest
+from .design import Design
+from .located import Node, Reader, Syntax, nearest
 from .measures import UnknownQuantity, overs, quantity
 from .spec import StudyError, StudyFile, key_of
+from .variations import Variations
 
-max_cases = 10_000_000
+_checked_values = 100  #: of a path
 _log = ("torn", "parted", "quarantined", "touched", "begin", "persist", "end", "hit")
 
 
@@ -28,7 +30,7 @@ def event_words() -> tuple[str, ...]:
 def read(path: str | Path) -> StudyFile:
     """Reads a study file. Raises StudyError with all mistakes, OSError where the file cannot be read."""
     path = Path(path)
-    text = path.read_text(encoding="utf-8", errors="replace")
+    text = path.read_text(encoding="utf-8-sig", errors="replace")
     checker = _Checker(path, text)
     study = checker.study()
     if checker.mistakes.found or study is None:
@@ -36,53 +38,7 @@ def read(path: str | Path) -> StudyFile:
     return study
 
 
-class _Checker:
-    def __init__(self, path: Path, text: str):
-        self.path, self.text = path, text
-        self.mistakes = Mistakes(str(path), text)
-
-    # --- pieces -----------------------------------------------------------------------------------------------------
-
-    def fields(self, node: Node, known: tuple[str, ...], path: str, required: tuple[str, ...] = ()) -> dict[str, Node]:
-        """Values of an object by name."""
-        if not isinstance(node.value, dict):
-            self.mistakes.at(node, "expected an object", path)
-            return {}
-        for name, key in node.keys.items():
-            if name not in known:
-                self.mistakes.at(key, f'unknown property "{name}"', path, nearest(name, known))
-        for name in required:
-            if name not in node.value:
-                self.mistakes.add(f'"{name}" is missing', node.start, node.start + 1, path)
-        return {name: value for name, value in node.value.items() if name in known}
-
-    def number(self, node: Node | None, usual: float, path: str, low: float, high: float, whole: bool = False) -> float:
-        if node is None:
-            return usual
-        value = node.value
-        if isinstance(value, bool) or not isinstance(value, (int, float)):
-            self.mistakes.at(node, "expected a number", path)
-        elif whole and value != int(value):
-            self.mistakes.at(node, "expected a whole number", path)
-        elif not low <= value <= high:
-            self.mistakes.at(node, f"{value} is out of range", path, f"from {low:g} to {high:g}")
-        else:
-            return value
-        return usual
-
-    def word(self, node: Node | None, usual: str, path: str, known: tuple[str, ...] | None = None) -> str:
-        if node is None:
-            return usual
-        if not isinstance(node.value, str):
-            self.mistakes.at(node, "expected a text", path)
-        elif known is not None and node.value not in known:
-            self.mistakes.at(node, f'unknown word "{node.value}"', path, nearest(node.value, known))
-        else:
-            return node.value
-        return usual
-
-    # --- the file ---------------------------------------------------------------------------------------------------
-
+class _Checker(Variations):
     known = ("sinew_study", "about", "scene", "set", "vary", "noise", "sample", "cases", "repetitions", "seed", "until", "measure",
              "best", "case_limit")
 
@@ -98,70 +54,19 @@ class _Checker:
         self.number(given.get("sinew_study"), 1, "/sinew_study", 1, 1)
         self.word(given.get("about"), "", "/about")
         design = self.design(given)
-        job = self.job(given)
-        if job is None or self.mistakes.found:
+        self.disjoint(given)
+        opened = self.job(given)
+        if opened is None or self.mistakes.found:
             return None
+        job, files = opened
         self.check_values(given, job, design)
         best, wants_low = self.best(given)
-        return StudyFile(self.path, self.word(given.get("about"), "", "/about"), job, design, best, wants_low, key_of(job, design))
-
-    def design(self, given: dict[str, Node]) -> Design:
-        sample = self.word(given.get("sample"), "grid", "/sample", samples)
-        vary = self.variations(given.get("vary"), "/vary", sample)
-        noise = self.variations(given.get("noise"), "/noise", "random")
-        drawn = sample not in ("grid", "list")
-        cases = self.number(given.get("cases"), 0, "/cases", 1, max_cases, True)
-        if drawn and "cases" not in given:
-            node = given.get("sample", given["vary"] if "vary" in given else None)
-            if node:
-                self.mistakes.at(node, f'a sample "{sample}" needs a number of cases', "/sample", 'add "cases": 64')
-        if not drawn and "cases" in given:
-            self.mistakes.at(given["cases"], f'the cases of a {sample} follow from what varies', "/cases", "leave it out")
-        design = Design(vary, noise, sample, int(cases), int(self.number(given.get("repetitions"), 1, "/repetitions", 1, max_cases, True)),
-                        int(self.number(given.get("seed"), 1, "/seed", 0, 2**53, True)))
-        if sample == "list" and len({len(v.values) for v in vary.values()}) > 1:
-            lengths = ", ".join(f"{path} {len(v.values)}" for path, v in vary.items())
-            self.mistakes.at(given["vary"], "the lists of a sample \"list\" are of equal length", "/vary", f"these have: {lengths}")
-        elif len(design) > max_cases and "vary" in given:
-            self.mistakes.at(given["vary"], f"{len(design):,} cases are more than {max_cases:,}", "/vary",
-                             'fewer steps, or a "sample" with a number of cases')
-        return design
-
-    def variations(self, node: Node | None, path: str, sample: str) -> dict[str, Variation]:
-        if node is None:
-            return {}
-        if not isinstance(node.value, dict):
-            self.mistakes.at(node, "expected an object of paths and what they go through", path)
-            return {}
-        return {name: self.variation(value, f"{path}/{name}", sample) for name, value in node.value.items()}
-
-    def variation(self, node: Node, path: str, sample: str) -> Variation:
-        if isinstance(node.value, list):
-            if not node.value:
-                self.mistakes.at(node, "an empty list leaves no case", path)
-            return Variation(values=tuple(node.plain()) or (None,))
-        given = self.fields(node, ("from", "to", "steps", "scale", "whole"), path, ("from", "to"))
-        low = self.number(given.get("from"), 0, path + "/from", -1e300, 1e300)
-        high = self.number(given.get("to"), 1, path + "/to", -1e300, 1e300)
-        is_log = self.word(given.get("scale"), "linear", path + "/scale", ("linear", "log")) == "log"
-        steps = int(self.number(given.get("steps"), 1, path + "/steps", 1, max_cases, True))
-        whole = given.get("whole")
-        is_whole = bool(whole and whole.value)
-        if is_log and not (low > 0 and high > 0):
-            self.mistakes.at(node, "a logarithmic range is above 0", path)
-        if is_whole and (low != int(low) or high != int(high)):
-            self.mistakes.at(node, "a range of whole numbers has whole ends", path)
-        if high < low:
-            self.mistakes.at(node, f"the range ends before it begins: {high:g} < {low:g}", path)
-        if sample == "grid" and "steps" not in given and "from" in given:
-            self.mistakes.at(node, "a range in a grid needs a number of steps", path, 'add "steps": 5, or list the values: [1, 2, 5]')
-        if sample == "list":
-            self.mistakes.at(node, 'a sample "list" has lists', path, "[1, 2, 5]")
-        return Variation((), low, high, steps, is_log, is_whole)
+        return StudyFile(self.path, self.word(given.get("about"), "", "/about"), job, files, design, best, wants_low, key_of(job, design))
 
     # --- the scene and what is measured -------------------------------------------------------------------------------
 
-    def job(self, given: dict[str, Node]) -> Job | None:
+    def job(self, given: dict[str, Node]) -> tuple[Job, scenes.Files] | None:
+        """What the cases have in common, and the files of the scene; None where the scene cannot be opened."""
         node = given.get("scene")
         if node is None:
             return None
@@ -182,16 +87,39 @@ class _Checker:
         try:
             simulation = simulation_of(job, {})
         except SceneError as error:
-            for mistake in error.errors:
-                where = given["set"] if mistake.is_override else node
-                self.mistakes.at(where, f"{mistake.message} ({mistake.source}:{mistake.line}:{mistake.column})",
-                                 "/set" if mistake.is_override else "/scene", mistake.help)
+            self.scene_mistakes(error, node, given, job)
+            return None
+        except Error as problem:
+            self.mistakes.at(given["set"], str(problem), "/set")
             return None
         seconds, event = self.until(given.get("until"), simulation.duration)
         functions = self.measures(given.get("measure"), simulation)
         limit = self.number(given.get("case_limit"), 600, "/case_limit", 0.001, 1e9)
         measure = given["measure"].plain() if "measure" in given else {}
-        return job._replace(measure=measure, functions=functions, seconds=seconds, event=event, time_limit=limit)
+        simulation.close()
+        return job._replace(measure=measure, functions=functions, seconds=seconds, event=event, time_limit=limit), files
+
+    def scene_mistakes(self, error: SceneError, node: Node, given: dict[str, Node], job: Job) -> None:
+        """Mistakes of the scene and of what is set in it. Those of a scene in the study's own file have their place there."""
+        found = len(self.mistakes.found)
+        for path, value in job.set.items():
+            self.check_value(given["set"], path, value, job._replace(set={}), f"/set/{path}", only_override=True)
+        if isinstance(node.value, dict):
+            lines = self.text[: node.start].split("\n")
+            padded = "\n" * (len(lines) - 1) + " " * len(lines[-1]) + self.text[node.start : node.end]
+            try:
+                simulation_of(job._replace(text=padded, set={}), {}).close()
+            except SceneError as inner:
+                for mistake in inner.errors:
+                    start = sum(len(line) + 1 for line in self.text.split("\n")[: mistake.line - 1]) + mistake.column - 1
+                    self.mistakes.add(mistake.message, start, start + mistake.length, "/scene" + mistake.path, mistake.help)
+        else:
+            for mistake in error.errors:
+                if not mistake.is_override:
+                    self.mistakes.at(node, f"{mistake.message} ({mistake.source}:{mistake.line}:{mistake.column})", "/scene", mistake.help)
+        if len(self.mistakes.found) == found:  # values of "set" that are wrong together alone
+            for mistake in error.errors:
+                self.mistakes.at(given.get("set", node), mistake.message, "/set", mistake.help)
 
     def until(self, node: Node | None, usual: float) -> tuple[float, str | None]:
         if node is None:
@@ -273,7 +201,7 @@ class _Checker:
             return self.word(node, "", "/best", measured), True
         fields = self.fields(node, ("lowest", "highest"), "/best")
         word = "highest" if "highest" in fields else "lowest"
-        if word not in fields:
+        if len(fields) != 1:
             self.mistakes.at(node, 'expected {"lowest": MEASURE} or {"highest": MEASURE}', "/best")
             return "", True
         return self.word(fields[word], "", f"/best/{word}", measured), word == "lowest"
@@ -283,20 +211,28 @@ class _Checker:
         for section, variations in (("vary", design.vary), ("noise", design.noise)):
             for path, variation in variations.items():
                 values = variation.values or (variation.at(0), variation.at(1 - 1e-9))
-                for place, value in enumerate(dict.fromkeys(json.dumps(value) for value in values)):
-                    self.check_value(given[section], path, json.loads(value), job, f"/{section}/{path}")
-                    if place > 100:
+                for value in itertools.islice(dict.fromkeys(json.dumps(value) for value in values), _checked_values):
+                    if not self.check_value(given[section], path, json.loads(value), job, f"/{section}/{path}"):
                         break
 
-    def check_value(self, section: Node, path: str, value: Any, job: Job, where: str) -> None:
+    def check_value(self, section: Node, path: str, value: Any, job: Job, where: str, only_override: bool = False) -> bool:
+        """Opens the scene with a value; False where another one is of no use, as the path is wrong."""
         assert isinstance(section.value, dict)
         try:
             simulation_of(job, {path: value}).close()
         except SceneError as error:
-            mistake = error.errors[0]
+            own = [mistake for mistake in error.errors if mistake.is_override]
+            if only_override and not own:
+                return True
+            mistake = (own or error.errors)[0]
             is_path = mistake.column <= len(path)
             node = section.keys[path] if is_path else section.value[path]
             self.mistakes.at(node, mistake.message + ("" if is_path else f" for {json.dumps(value)}"), where, mistake.help)
+            return not is_path
+        except Error as problem:
+            self.mistakes.at(section.keys[path], str(problem), where)
+            return False
+        return True
 
 
 __all__ = ["StudyError", "StudyFile", "read"]

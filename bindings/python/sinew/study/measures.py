@@ -68,6 +68,10 @@ class Measures:
             if over:
                 self._overs[name] = (over, quantity(measure[over], simulation), [])
 
+    @classmethod
+    def none(cls, simulation: Simulation) -> Measures:
+        return cls({}, {}, simulation)
+
     @property
     def wants_steps(self) -> bool:
         return bool(self._overs)

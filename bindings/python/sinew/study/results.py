@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import fcntl
 import json
 import os
 import sqlite3
+import weakref
 from pathlib import Path
 from typing import Any, Iterable, Iterator
 
@@ -33,9 +35,11 @@ class Results:
             # The log survives the end of the process at any moment; a power cut may lose the last rows.
             self._base.execute("PRAGMA journal_mode = WAL")
             self._base.execute("PRAGMA synchronous = NORMAL")
+            self._base.execute("BEGIN IMMEDIATE")  # readers see all of this or nothing
             self._base.execute("CREATE TABLE IF NOT EXISTS study (key TEXT, cases INTEGER)")
             self._base.execute("CREATE TABLE IF NOT EXISTS rows (number INTEGER PRIMARY KEY, measures TEXT, hash TEXT, reason TEXT, took REAL)")
             self._check_key()
+            self._base.execute("COMMIT")
         except sqlite3.Error as problem:
             self._lock.close()
             raise ResultsError(f"{path}: {problem}") from None
@@ -71,22 +75,11 @@ class Results:
         return rows, failed
 
     def __iter__(self) -> Iterator[Row]:
-        for number, measures, hash_, reason, took in self._base.execute("SELECT * FROM rows ORDER BY number"):
-            yield Row(number, json.loads(measures), hash_, reason, took)
+        return _rows_of(self._base)
 
     def merge(self, other: Path) -> None:
         """Takes over the rows of another file of the same study."""
-        base = sqlite3.connect(other.absolute().as_uri() + "?mode=ro", uri=True)
-        try:
-            [key] = base.execute("SELECT key FROM study").fetchone() or [None]
-            if key != self.study.key:
-                raise ResultsError(f"{other} holds results of another study")
-            self.add(Row(number, json.loads(measures), hash_, reason, took)
-                     for number, measures, hash_, reason, took in base.execute("SELECT * FROM rows"))
-        except sqlite3.Error as problem:
-            raise ResultsError(f"{other}: {problem}") from None
-        finally:
-            base.close()
+        self.add(rows_in(self.study, other))
 
     def close(self) -> None:
         self._base.close()
@@ -99,6 +92,30 @@ class Results:
         self.close()
 
 
+def _rows_of(base: sqlite3.Connection) -> Iterator[Row]:
+    for number, measures, hash_, reason, took in base.execute("SELECT * FROM rows ORDER BY number"):
+        yield Row(number, json.loads(measures), hash_, reason, took)
+
+
+def rows_in(study: StudyFile, path: Path) -> Iterator[Row]:
+    """The rows in a file of results, also while a run writes it; none where it has just begun. Raises ResultsError for a file
+    that is missing, or holds something else."""
+    if not path.exists():
+        raise ResultsError(f"{path} is not there yet: run the study first")
+    base = sqlite3.connect(path.absolute().as_uri() + "?mode=ro", uri=True, timeout=30)
+    try:
+        if not base.execute("SELECT 1 FROM sqlite_master WHERE name = 'study'").fetchone():
+            return
+        [key] = base.execute("SELECT key FROM study").fetchone() or [None]
+        if key != study.key:
+            raise ResultsError(f"{path} holds results of another study")
+        yield from _rows_of(base)
+    except (sqlite3.Error, ValueError, TypeError) as problem:
+        raise ResultsError(f"{path}: {problem}") from None
+    finally:
+        base.close()
+
+
 def _locked(path: Path) -> Any:
     """An open file that holds the lock of the results; it ends with the process, however that ends."""
     try:
@@ -106,6 +123,7 @@ def _locked(path: Path) -> Any:
         lock = open(f"{path}.lock", "a+", encoding="ascii")
     except OSError as problem:
         raise ResultsError(f"{path}: {problem.strerror}") from None
+    _locks.add(lock)
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except OSError:
@@ -113,10 +131,22 @@ def _locked(path: Path) -> Any:
         owner = lock.read().strip()
         lock.close()
         raise ResultsError(f"another run{f' (process {owner})' if owner else ''} writes {path}; let it end, or give another folder: -o FOLDER") from None
-    lock.truncate(0)
-    lock.write(str(os.getpid()))
-    lock.flush()
+    with contextlib.suppress(OSError):  # a full disk: the number is for messages alone
+        lock.truncate(0)
+        os.write(lock.fileno(), str(os.getpid()).encode())
     return lock
+
+
+#: Open locks. A forked process closes its copies, or a worker that outlives its parent would keep the results locked.
+_locks: weakref.WeakSet[Any] = weakref.WeakSet()
+
+
+def _forget_locks() -> None:
+    for lock in list(_locks):
+        lock.close()
+
+
+os.register_at_fork(after_in_child=_forget_locks)
 
 
 def table(study: StudyFile, rows: Iterable[Row]) -> tuple[list[str], Iterator[list[Any]]]:
@@ -160,5 +190,23 @@ def write_parquet(study: StudyFile, rows: Iterable[Row], path: Path) -> bool:
         return False
     names, lines = table(study, rows)
     columns = list(zip(*lines)) or [()] * len(names)
-    parquet.write_table(pyarrow.table(dict(zip(names, map(list, columns)))), path)
+    partial = path.with_suffix(".partial")
+    try:
+        parquet.write_table(pyarrow.table({name: uniform(column) for name, column in zip(names, columns)}), partial)
+        partial.replace(path)
+    except OSError as problem:
+        partial.unlink(missing_ok=True)
+        raise ResultsError(f"{path}: {problem}; the results are kept in results.sqlite") from None
     return True
+
+
+def uniform(column: Iterable[Any]) -> list[Any]:
+    """The values of a column as one type, which a column of Parquet has: numbers, or else texts."""
+    values = list(column)
+    kinds = {type(value) for value in values if value is not None}
+    if kinds <= {bool} or kinds <= {str}:
+        return values
+    if kinds <= {bool, int, float}:
+        number = float if float in kinds else int
+        return [None if value is None else number(value) for value in values]
+    return [value if value is None or isinstance(value, str) else json.dumps(value) for value in values]

@@ -8,15 +8,17 @@ import random
 import sys
 import time
 from concurrent.futures import Executor, Future
+from concurrent.futures.process import BrokenProcessPool
 from pathlib import Path
 from typing import Any, Callable, Iterable, Iterator
 
 from .._core import hardware_threads
-
+from ..errors import ArgumentError, Error, NotFoundError
 from .case import Row, run_cases
 from .file import read
 from .page import write_page
-from .results import Results, ResultsError, write_csv, write_parquet
+from .processes import processes
+from .results import Results, ResultsError, rows_in, write_csv, write_parquet
 from .spec import StudyFile
 
 #: Real seconds that a block of cases should take: long beside the way to another process, short beside what kill -9 loses.
@@ -48,7 +50,9 @@ class Study:
         return len(self.file.design)
 
     def values(self, number: int) -> Values:
-        """What varies, of a case."""
+        """What varies, of a case, from 0."""
+        if not 0 <= number < len(self):
+            raise NotFoundError(f"there is no case {number}; the cases are 0 to {len(self) - 1}")
         return self.file.design.values()[number]
 
     def scene(self, number: int) -> dict[str, Any]:
@@ -62,8 +66,13 @@ class Study:
             fresh: bool = False, progress: Progress | None = None) -> int:
         """Runs the cases that have no row yet, and writes the tables and the page. Returns the number of failed cases.
 
-        ``part`` (i, n) runs the i-th of n parts only, i from 1, into a file of its own: see ``collect``.
+        ``part`` (i, n) runs the i-th of n parts only, i from 1, into a file of its own: see ``collect``. ``workers`` is the
+        number of processes here, or those of the executor.
         """
+        if part is not None and not 1 <= part[0] <= part[1]:
+            raise ArgumentError(f"a part is (i, n) with i from 1 to n, not {part}")
+        if workers is not None and workers < 1:
+            raise ArgumentError(f"a study has at least one worker, not {workers}")
         with Results(self.file, self._base(part), fresh) as results:
             done = results.done()
             first, stride = (part[0] - 1, part[1]) if part else (0, 1)
@@ -91,19 +100,26 @@ class Study:
             self._write(results)
             return len(self) - results.count()[0]
 
-    def verify(self, sample: int = 20, seed: int = 1) -> list[int]:
-        """Runs a sample of the cases again and returns those whose hash differs: none, on any machine."""
-        with Results(self.file, self._base(None)) as results:
-            rows = [row for row in results if row.hash]
-        chosen = random.Random(seed).sample(rows, min(sample, len(rows)))
+    def verify(self, sample: int = 20, seed: int = 1, executor: Executor | None = None) -> list[int]:
+        """Runs a sample of the cases again, here or by an executor elsewhere, and returns those whose hash differs: none, on
+        any machine. Raises ResultsError where no case has a hash yet."""
+        if sample < 1:
+            raise ArgumentError(f"a sample has at least one case, not {sample}")
+        hashes = {row.number: row.hash for row in rows_in(self.file, self._base(None)) if row.hash}
+        if not hashes:
+            raise ResultsError(f"{self._base(None)} has no case to verify yet")
+        chosen = random.Random(seed).sample(sorted(hashes), min(sample, len(hashes)))
         cases = self.file.design.values()
-        again = run_cases(self.file.job, [(row.number, cases[row.number]) for row in chosen])
-        return [row.number for row, new in zip(chosen, again) if row.hash != new.hash]
+        given = [[(number, cases[number])] for number in chosen]
+        if executor is None:
+            again = [run_cases(self.file.job, case) for case in given]
+        else:
+            again = [future.result() for future in [executor.submit(run_cases, self.file.job, case) for case in given]]
+        return [row.number for [row] in again if row.hash != hashes[row.number]]
 
     def rows(self) -> list[Row]:
-        """The rows so far."""
-        with Results(self.file, self._base(None)) as results:
-            return list(results)
+        """The rows so far, also while the study runs."""
+        return list(rows_in(self.file, self._base(None))) if self._base(None).exists() else []
 
     def frame(self) -> Any:
         """The table as a pandas frame."""
@@ -120,7 +136,10 @@ class Study:
     def _write(self, results: Results) -> None:
         write_csv(self.file, results, self.folder / "table.csv")
         write_parquet(self.file, results, self.folder / "table.parquet")
-        write_page(self.file, results, self.folder)
+        try:
+            write_page(self.file, results, self.folder)
+        except (OSError, Error) as problem:
+            raise ResultsError(f"{self.folder}: the page could not be written: {problem}; the results are kept in results.sqlite") from None
 
     # --- workers ------------------------------------------------------------------------------------------------------
 
@@ -142,11 +161,11 @@ class Study:
         left, suspects = set(pending), set[int]()
         while left:
             try:
-                with concurrent.futures.ProcessPoolExecutor(workers) as pool:
+                with processes(workers) as pool:
                     for rows in self._submit(sorted(left - suspects), pool, workers):
                         left -= {row.number for row in rows}
                         yield rows
-            except concurrent.futures.process.BrokenProcessPool:
+            except BrokenProcessPool:
                 suspects = left & self._running
             for number in sorted(suspects & left):
                 yield [self._alone(number)]
@@ -156,9 +175,9 @@ class Study:
     def _alone(self, number: int) -> Row:
         """Runs a case in a process of its own."""
         try:
-            with concurrent.futures.ProcessPoolExecutor(1) as pool:
+            with processes(1) as pool:
                 return pool.submit(run_cases, self.file.job, [(number, self.values(number))]).result()[0]
-        except concurrent.futures.process.BrokenProcessPool:
+        except BrokenProcessPool:
             return Row(number, {}, "", "its process ended, perhaps for want of memory", 0)
 
     def _submit(self, pending: Iterable[int], executor: Executor, workers: int) -> Iterator[list[Row]]:
