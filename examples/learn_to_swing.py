@@ -23,16 +23,24 @@ scene = {
 }
 
 
+def swung(angles):
+    """Reward of a step: how far out a rider is, radians."""
+    return np.abs(angles)
+
+
 class Swings:
-    """The interface of Gymnasium's VectorEnv: reset, and step with an action a world, from -1 (squat) to 1 (stand up)."""
+    """The interface of Gymnasium's VectorEnv: reset, also of the worlds of a mask, and step with an action a world, from -1
+    (squat) to 1 (stand up). `reward` is a function of the angles of all riders, (n,)."""
 
-    def __init__(self, n, seconds=12.0):
-        self.worlds = sinew.batch(scene, n)
+    def __init__(self, n, seconds=12.0, reward=swung):
+        self.num_envs, self.reward, self.worlds = n, reward, sinew.batch(scene, n)
         self.rider, self.limit = self.worlds.row("swing/rider"), round(seconds * self.worlds.rate)
+        self.steps = np.zeros(n, int)
 
-    def reset(self):
-        self.worlds.reset()
-        self.steps = 0
+    def reset(self, *, seed=None, options=None):
+        mask = (options or {}).get("reset_mask", np.ones(self.num_envs, bool))
+        self.worlds.reset(mask)
+        self.steps[mask] = 0
         return self.observations(), {}
 
     def step(self, actions):
@@ -41,9 +49,8 @@ class Swings:
         self.worlds.apply_force("swing/rider", 150 * np.clip(actions, -1, 1)[:, None] * up)
         self.worlds.step()
         self.steps += 1
-        rewards = np.abs(self.angles()) / self.limit
-        done = np.full(len(self.worlds), self.steps >= self.limit)
-        return self.observations(), rewards, np.zeros_like(done), done, {}
+        truncated = self.steps >= self.limit
+        return self.observations(), self.reward(self.angles()) / self.limit, np.zeros_like(truncated), truncated, {}
 
     def angles(self):
         return np.arctan2(self.worlds.positions[:, self.rider, 0], -self.worlds.positions[:, self.rider, 1])

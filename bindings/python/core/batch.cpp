@@ -3,6 +3,7 @@
 #include "bindings/python/core/simulation.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
 #include <pybind11/stl.h>
 
@@ -25,19 +26,17 @@ class Batch {
     /// of (worlds, particles, dimension).
     void step(std::uint32_t count, const py::array_t<bool>& mask, py::array positions, py::array velocities,
               int threads) {
-        const auto* const is_on = mask.data();
-        auto* const places = static_cast<char*>(positions.mutable_data());
-        auto* const speeds = static_cast<char*>(velocities.mutable_data());
-        const auto bytes = std::size_t(positions.nbytes()) / worlds_.size();
-        each(threads, [&](int world) {
-            if (!is_on[world]) return SINEW_OK;
-            const auto handle = worlds_[std::size_t(world)]->handle();
-            if (count > 0)
-                if (const auto status = sinew_step(handle, count)) return status;
-            if (const auto status = gather(handle, SINEW_POSITION, places + bytes * std::size_t(world), bytes))
-                return status;
-            return gather(handle, SINEW_VELOCITY, speeds + bytes * std::size_t(world), bytes);
-        });
+        for (std::uint32_t taken = 0, next = std::min(count, 1u);;) {
+            const auto start = std::chrono::steady_clock::now();
+            step_all(next, mask, positions, velocities, threads);
+            taken += next;
+            if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            if (taken == count) return;
+            const auto took =
+                std::max(std::chrono::steady_clock::now() - start, std::chrono::steady_clock::duration(1));
+            const auto share = std::min(double(attention / took) * next, double(count - taken));
+            next = std::max(1u, std::uint32_t(share));
+        }
     }
 
     /// Returns the worlds of `mask` to their start.
@@ -55,6 +54,26 @@ class Batch {
     }
 
   private:
+    /// Longest time that steps run without a look at Python's signals.
+    static constexpr std::chrono::steady_clock::duration attention = std::chrono::milliseconds(50);
+
+    void step_all(std::uint32_t count, const py::array_t<bool>& mask, py::array& positions, py::array& velocities,
+                  int threads) {
+        const auto* const is_on = mask.data();
+        auto* const places = static_cast<char*>(positions.mutable_data());
+        auto* const speeds = static_cast<char*>(velocities.mutable_data());
+        const auto bytes = std::size_t(positions.nbytes()) / worlds_.size();
+        each(threads, [&](int world) {
+            if (!is_on[world]) return SINEW_OK;
+            const auto handle = worlds_[std::size_t(world)]->handle();
+            if (count > 0)
+                if (const auto status = sinew_step(handle, count)) return status;
+            if (const auto status = gather(handle, SINEW_POSITION, places + bytes * std::size_t(world), bytes))
+                return status;
+            return gather(handle, SINEW_VELOCITY, speeds + bytes * std::size_t(world), bytes);
+        });
+    }
+
     std::vector<Shared> worlds_;
     std::uint32_t particles_;
     std::vector<Shared> locked_; ///< each world once, in an order that any two batches share: no deadlock

@@ -14,6 +14,9 @@ from .simulation import Simulation, open
 __all__ = ["from_arrays"]
 
 
+_usual_values = 400_000  #: of a scene, which the engine reads without being told to
+
+
 def from_arrays(points: npt.ArrayLike, links: npt.ArrayLike = (), *, faces: npt.ArrayLike = (),
                 masses: npt.ArrayLike = 1, radii: npt.ArrayLike = 0, velocities: npt.ArrayLike | None = None,
                 pinned: npt.ArrayLike = (), lengths: npt.ArrayLike | None = None, compliance: npt.ArrayLike = 0,
@@ -41,13 +44,14 @@ def from_arrays(points: npt.ArrayLike, links: npt.ArrayLike = (), *, faces: npt.
     count, dimension = places.shape
     ends = _rows(links, 2, count, "links")
     speeds = np.zeros(dimension) if velocities is None else _numbers(velocities, "velocities")
-    columns = {"at": places.tolist(), "mass": _column(masses, count, "masses"), "radius": _column(radii, count, "radii"),
-               "pinned": _mask(pinned, count), "velocity": _column(speeds, count, "velocities", dimension)}
+    columns = {"mass": (_column(masses, count, "masses"), 1), "radius": (_column(radii, count, "radii"), 0),
+               "pinned": (_mask(pinned, count), False), "velocity": (_column(speeds, count, "velocities", dimension), [0] * dimension)}
     particles = {}
-    for row in range(count):
-        particle = {key: values[row] for key, values in columns.items()}
-        if particle["mass"] == np.inf:
-            particle.update(mass=1, pinned=True)
+    for row, place in enumerate(places.tolist()):
+        particle = {"at": place, **{key: values[row] for key, (values, usual) in columns.items() if values[row] != usual}}
+        if particle.get("mass") == np.inf:
+            del particle["mass"]
+            particle["pinned"] = True
         particles[str(row)] = particle
     constraints = []
     rest = None if lengths is None else _column(lengths, len(ends), "lengths")
@@ -61,7 +65,10 @@ def from_arrays(points: npt.ArrayLike, links: npt.ArrayLike = (), *, faces: npt.
         constraints.append(constraint)
     pieces = [{"mark": "fill", "through": [str(row) for row in face]} for face in _rows(faces, None, count, "faces").tolist()]
     figure = {"name": name, "particles": particles, "constraints": constraints, "pieces": pieces}
-    return open({"sinew": 1, "dimension": dimension, **scene, "figures": [figure, *scene.get("figures", [])]})
+    # Arrays of the caller are no file of a stranger, whose number of values is limited.
+    values = 12 * (count + len(ends)) + sum(1 + len(piece["through"]) for piece in pieces)
+    limits = {"limits.values": values} if values > _usual_values else {}
+    return open({"sinew": 1, "dimension": dimension, **scene, "figures": [figure, *scene.get("figures", [])]}, limits)
 
 
 def _numbers(values: npt.ArrayLike, what: str) -> npt.NDArray[np.float64]:

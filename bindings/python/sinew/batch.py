@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._numbers import numbers
+from ._numbers import count_of, numbers
 from ._types import Bools, Ids, Reals
 from .errors import ArgumentError
 from .scenes import Scene
@@ -69,6 +69,8 @@ class Batch:
     def __init__(self, worlds: Sequence[Simulation], values: Mapping[str, npt.NDArray[Any]] | None = None, threads: int = 0):
         if not worlds:
             raise ArgumentError("a batch has at least one world")
+        if len(set(map(id, worlds))) < len(worlds):
+            raise ArgumentError("a world is in a batch once: two threads would step it at a time; copy() makes another")
         first = worlds[0]
         shapes = {(len(world), world.dimension, world.precision) for world in worlds}
         if len(shapes) > 1:
@@ -105,13 +107,12 @@ class Batch:
         return self.worlds[0].rate
 
     def step(self, count: int = 1) -> None:
-        """Takes ``count`` steps in every world."""
-        if count < 0:
-            raise ArgumentError(f"a number of steps is not negative: {count}")
-        self._core.step(count, self._all, self._positions, self._velocities, self.threads)
+        """Takes ``count`` steps in every world. Ctrl-C ends it after a number of steps that is the same in all."""
+        self._core.step(count_of(count, "a number of steps"), self._all, self._positions, self._velocities, self.threads)
 
     def refresh(self) -> None:
         """Reads the arrays again, after an edit of a world."""
+        self._ids.clear()
         self._core.step(0, self._all, self._positions, self._velocities, 1)
 
     def reset(self, mask: npt.ArrayLike | None = None) -> None:
@@ -141,6 +142,9 @@ class Batch:
     def hashes(self) -> list[str]:
         """Hash of the state of each world."""
         return [world.hash() for world in self.worlds]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Batch, (self.worlds, self.values, self.threads)
 
     def _mask(self, mask: npt.ArrayLike) -> Bools:
         chosen = np.asarray(mask)

@@ -7,7 +7,8 @@ from typing import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from .errors import ArgumentError
+from ._numbers import is_name
+from .errors import ArgumentError, NotFoundError
 from .names import AnyParticle, Names
 from .parts import Particle
 
@@ -42,6 +43,8 @@ class Edits(Names):
     def move_collider(self, name: str, position: npt.ArrayLike, turn: float = 0, axis: npt.ArrayLike = (0, 0, 1)) -> None:
         """Sets the pose of a collider of the scene at the end of the next step, approached evenly: what touches it is
         carried along."""
+        if not is_name(name):
+            raise NotFoundError(f"no collider is called {name!r}")
         self._core.move_collider(self._core.find_collider(name), self._point(position, "a position"), turn,
                                  np.asarray(axis, np.float64))
 

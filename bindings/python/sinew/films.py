@@ -15,9 +15,16 @@ if TYPE_CHECKING:
 _usual_fps = {".gif": 25.0}
 
 
+def _refuse_zero(path: str | os.PathLike[str]) -> None:
+    """The engine's paths end at a zero: another file would be written."""
+    if "\0" in os.fspath(path):
+        raise ArgumentError(f"a path has no zero in it: {os.fspath(path)!r}")
+
+
 def film(simulation: Simulation, path: str | os.PathLike[str], seconds: float | None, fps: float | None,
          view: tuple[int, int, int]) -> None:
     """One picture if `seconds` is None. The file appears when it is complete, or not at all."""
+    _refuse_zero(path)
     extension = os.path.splitext(path)[1].lower()
     is_still = extension in (".png", ".svg", ".pdf")
     if is_still != (seconds is None):
@@ -44,6 +51,7 @@ class Exported(NamedTuple):
 def export(simulation: Simulation, path: str, seconds: float | None, fps: float | None, figures: list[str],
            size: tuple[int, int], words: tuple[str, str, str], error: float | None) -> Exported:
     """One frame if the format, or the name without a number, holds one."""
+    _refuse_zero(path)
     target = _core.Export(os.fsencode(path), fps, figures, size, *words, error)
     if not target.is_film and seconds is not None:
         raise ArgumentError(f"{path} is one moment: a sequence has a number in its name, such as a-%04d.obj")

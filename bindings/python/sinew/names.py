@@ -10,7 +10,7 @@ from typing import Iterable, Union
 import numpy as np
 
 from . import _core
-from ._numbers import id_of
+from ._numbers import id_of, is_name
 from ._types import Ids
 from .errors import ArgumentError, NotFoundError
 from .parts import Figure, Particle, Particles
@@ -36,13 +36,13 @@ class Names(State):
         """
         if not isinstance(name, str):
             raise TypeError(f"a part has a name; rows are those of arrays: positions[{name!r}]")
-        if self._core.find_figure(name):
+        if is_name(name) and self._core.find_figure(name):
             return Figure(self._self, name)
         if any(mark in name for mark in "*?["):
             found = self._matching(name)
             if len(found):
                 return Particles(self._self, found)
-        else:
+        elif is_name(name):
             try:
                 return Particle(self._self, name)
             except NotFoundError:
@@ -88,7 +88,11 @@ class Names(State):
         return ConstraintState(*self._core.constraint(self._constraint_id(which)))
 
     def _constraint_id(self, which: str | int) -> int:
-        return self._core.find_constraint(which) if isinstance(which, str) else id_of(which, "constraint")
+        if not isinstance(which, str):
+            return id_of(which, "constraint")
+        if not is_name(which):
+            raise NotFoundError(f"no constraint is called {which!r}")
+        return self._core.find_constraint(which)
 
     def constraints(self, kind: str = "distance") -> Ids:
         """Ids of the constraints of a kind ("distance", "angle", "area", ...), (n,) of uint64. Those of kind distance

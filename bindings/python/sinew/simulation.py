@@ -6,6 +6,7 @@ import json
 import os
 from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
+from ._numbers import count_of
 from .edits import Edits
 from .errors import ArgumentError
 from .pictures import Pictures
@@ -102,10 +103,8 @@ class Simulation(Queries, Edits, Pictures):
 
     def step(self, count: int = 1) -> None:
         """Takes ``count`` steps of ``1 / rate`` seconds. Ctrl-C ends it between two steps."""
-        if count < 0:
-            raise ArgumentError(f"a number of steps is not negative: {count}")
-        if count:
-            self._core.step(count)
+        if taken := count_of(count, "a number of steps"):
+            self._core.step(taken)
 
     def run_until(self, seconds: float) -> None:
         """Steps until ``seconds`` have passed since the start, to within half a step."""

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._numbers import numbers
+from ._numbers import count_of, numbers
 from ._types import Bools, Ids, Indices, Reals
 from .errors import ArgumentError
 from .parts import points
@@ -154,7 +154,7 @@ class State:
     def events(self, since: int = 0) -> list[Event]:
         """The log since the start, without the first ``since`` entries: what tore, touched, was grabbed. At most
         10,000 are kept."""
-        return [Event(*event) for event in self._core.events(since)]
+        return [Event(*event) for event in self._core.events(count_of(since, "a number of entries"))]
 
     def _point(self, value: npt.ArrayLike, what: str = "a point") -> npt.NDArray[np.float64]:
         expected = f"{what} has {self.dimension} numbers here, not {value!r}"

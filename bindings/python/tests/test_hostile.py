@@ -1,5 +1,13 @@
 """Arguments that nobody should pass: an error that is caught, the same state as before, and no other memory."""
 
+import copy
+import gc
+import os
+import pickle
+import signal
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -85,3 +93,138 @@ def test_a_batch_writes_into_its_own_arrays_alone():
     others.worlds[1].close()
     with pytest.raises(sinew.ClosedError):
         others.step()
+
+
+def nested(depth):
+    value = {}
+    for _ in range(depth):
+        value = {"a": value}
+    return value
+
+
+@pytest.mark.parametrize("name", ["bob\0", "bob/head\0x", "\0", "\ud800", "bob/\udfff"])
+def test_names_that_no_scene_has(sim, name):
+    assert name not in sim
+    for use in (lambda: sim[name], lambda: sim.particle(name), lambda: sim.constraint(name), lambda: sim.move_collider(name, [0, 0]),
+                lambda: sim.trace(0.1, name), lambda: sim["bob"][name]):
+        with pytest.raises(sinew.NotFoundError):
+            use()
+    for use in (lambda: sim.set("mode", name), lambda: sim.set(name, 1), lambda: sinew.open("ragdoll", mode=name)):
+        with pytest.raises(ValueError):
+            use()
+
+
+def test_a_path_with_a_zero_writes_no_other_file(sim, tmp_path):
+    for use in (sim.save_picture, sim.save, lambda path: sim.export(path), lambda path: sim.save_film(path, 0.1)):
+        for ending in ("png", "gif", "glb"):
+            with pytest.raises(ValueError):
+                use(str(tmp_path / f"a\0.{ending}"))
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("count", [2**32, 2**70, -1])
+def test_counts_out_of_range(sim, count):
+    worlds = sinew.batch("rope", 1)
+    for use in (sim.step, sim.events, worlds.step):
+        with pytest.raises(ValueError, match="4294967295"):
+            use(count)
+    for use in (sim.step, sim.events, worlds.step):
+        for wrong in (1.5, "2", None, [1]):
+            with pytest.raises(TypeError):
+                use(wrong)
+
+
+def test_scenes_without_an_end():
+    endless = {"sinew": 1}
+    endless["world"] = endless
+    for scene in (endless, nested(100_000)):
+        with pytest.raises(ValueError, match="too deep|contains itself"):
+            sinew.open(scene)
+        with pytest.raises(ValueError, match="too deep|contains itself"):
+            sinew.open("rope", world=scene)
+    for text in ('{"a":' * 5000, '{"a":' * 5000 + "1" + "}" * 5000, '{"a":' + "[" * 900 + "]" * 900 + "}"):
+        with pytest.raises(sinew.SceneError):
+            sinew.open(text)
+    with pytest.raises(sinew.SceneError):
+        sinew.open({"sinew": 1, "world": {"gravity": [0, float("nan")]}})
+
+
+def test_a_batch_has_each_world_once():
+    sim = sinew.open("rope")
+    with pytest.raises(ValueError, match="once"):
+        sinew.Batch([sim, sim])
+    assert len(sinew.Batch([sim, sim.copy()])) == 2
+
+
+def test_a_batch_after_a_restart_of_one_world():
+    worlds = sinew.batch("rope", 2)
+    worlds.apply_force("rope/end", np.zeros((2, 2)))
+    worlds.worlds[1].restart()
+    worlds.refresh()
+    worlds.apply_force("rope/end", np.zeros((2, 2)))
+    worlds.step()
+
+
+def test_batches_and_parts_are_copied_and_pickled():
+    worlds = sinew.batch("ragdoll", 3, vary={"figures.bob.height": (100, 200)}, threads=2)
+    worlds.step(5)
+    for again in (pickle.loads(pickle.dumps(worlds)), copy.deepcopy(worlds)):
+        assert again.hashes == worlds.hashes and np.array_equal(again.positions, worlds.positions)
+        assert again.threads == 2 and list(again.values) == ["figures.bob.height"]
+        again.step(3)
+        assert again.worlds[0].steps == 8 and worlds.worlds[0].steps == 5
+    head = pickle.loads(pickle.dumps(worlds.worlds[0]["bob/head"]))
+    assert head.name == "bob/head" and np.array_equal(head.position, worlds.worlds[0]["bob/head"].position)
+    with pytest.raises(sinew.SceneError) as caught:
+        sinew.open("rope", solver={"substep": 1})
+    assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
+
+
+def test_ctrl_c_ends_a_batch_between_two_steps():
+    worlds = sinew.batch("ragdoll", 4)
+    timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        worlds.step(10**6)
+    timer.join()
+    assert 0 < worlds.worlds[0].steps < 10**6 and len({world.steps for world in worlds.worlds}) == 1
+    assert np.array_equal(worlds.positions[2], worlds.worlds[2].positions)
+
+
+def test_many_threads_use_two_batches_of_the_same_worlds():
+    """Neither deadlock nor lost steps, whatever the order of the worlds."""
+    sims = [sinew.open("rope") for _ in range(4)]
+    one, other = sinew.Batch(sims, threads=2), sinew.Batch(sims[::-1], threads=2)
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(lambda i: (one, other)[i % 2].step(2), range(40)))
+    assert {sim.steps for sim in sims} == {80}
+    alone = sinew.open("rope")
+    alone.step(80)
+    assert set(one.hashes) == {alone.hash()}
+
+
+def test_views_after_the_end_and_huge_arrays():
+    sim = sinew.open("ragdoll")
+    views = [getattr(sim, name) for name in ("positions", "velocities", "previous", "tensions", "ends", "radii")]
+    parts = [sim["bob"].positions, sim["bob/head"].position, sim["bob/*_hand"].velocities]
+    kept = [np.array(view) for view in views + parts]
+    sim.close()
+    del sim
+    gc.collect()
+    for view, before in zip(views + parts, kept):
+        assert np.array_equal(view, before) and np.array_equal(pickle.loads(pickle.dumps(view)), before)
+    points = np.zeros((100_000, 2))
+    points[:, 0] = np.arange(100_000)
+    big = sinew.from_arrays(points)
+    big.positions = big.positions + [0, 1]
+    big.step()
+    for other in (big.copy(), sinew.open(big.save())):
+        assert other.hash() == big.hash()
+    assert big.positions.shape == (100_000, 2) and np.isfinite(big.positions).all()
+    with pytest.raises((ValueError, MemoryError)):
+        sinew.from_arrays(np.zeros((10**7, 2)), np.zeros((1, 3), int))
+
+
+def test_checks_take_values_as_open_does():
+    assert sinew.check("ragdoll", {"figures.bob.height": 150}, mode="classic") == []
+    assert sinew.check("ragdoll", {"figures.bob.height": -1})
