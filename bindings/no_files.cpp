@@ -1,7 +1,6 @@
-// Files of the player (player/files.h), of exports and imports (files/) and of pictures (canvas/) where there are none:
-// on a page, and in the C face.
+// Files of the player (player/files.h), of exports (files/out/) and of pictures (canvas/) where there are none: on a
+// page, and in the C face.
 #include "canvas/formats.h"
-#include "files/in/folder_file.h"
 #include "files/out/export_formats.h"
 #include "player/files.h"
 
@@ -50,10 +49,6 @@ namespace files {
 
 Failure write_file(const std::filesystem::path&, std::string_view) {
     return no_files;
-}
-
-std::optional<std::string> file_in_folder(const std::filesystem::path&, std::size_t) {
-    return std::nullopt;
 }
 
 std::unique_ptr<Exporter> open_alpha_film(const ExportRequest&) {

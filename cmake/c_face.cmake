@@ -43,7 +43,7 @@ endif()
 
 set(parts $<TARGET_OBJECTS:sinew> $<TARGET_OBJECTS:sinew_once> $<TARGET_OBJECTS:sinew_face>
     $<TARGET_OBJECTS:sinew_player> $<TARGET_OBJECTS:sinew_export> $<TARGET_OBJECTS:sinew_import>
-    bindings/no_files.cpp canvas/beside.cpp)
+    bindings/no_files.cpp bindings/no_folder.cpp canvas/beside.cpp)
 
 # sinew_c_library(TARGET KIND): the C face as a library that C programs need nothing beside.
 function(sinew_c_library target kind)

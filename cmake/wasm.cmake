@@ -13,7 +13,7 @@ foreach(folder IN ITEMS sinew player bindings/c bindings/wasm)
     sinew_sources(${folder})
     list(APPEND all ${sources})
 endforeach()
-list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp|/bindings/c/native/")
+list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp|/bindings/c/native/|/bindings/wasm/exceptions[.]cpp")
 list(APPEND all canvas/beside.cpp bindings/no_files.cpp bindings/c/native/world.cpp bindings/c/native/collider.cpp)
 list(TRANSFORM all PREPEND ${PROJECT_SOURCE_DIR}/ REGEX "^[^/]")
 list(FILTER all EXCLUDE REGEX "/targets/(avx[0-9]+|one)[.]cpp") # every engine has SIMD
@@ -37,7 +37,11 @@ endforeach()
 
 # Decimal numbers are the engine's own (sinew/math/decimal.h), in place of the C library's in 128-bit arithmetic.
 # A last -O0 keeps clang from running any wasm-opt of the machine.
+# The exports of a module are all of these, or those named.
 function(sinew_wasm_options name)
+    if(ARGN)
+        list(TRANSFORM ARGN PREPEND -Wl,--export= OUTPUT_VARIABLE exports)
+    endif()
     # Functions of 2D and 3D, of one record and another, are often the same code: compiled once, they save 14 KB.
     target_compile_options(${name} PRIVATE -Oz -Xclang -fmerge-functions -ffp-contract=off -fno-math-errno
         -fvisibility=hidden -fno-threadsafe-statics -fno-c++-static-destructors)
@@ -89,4 +93,23 @@ foreach(declaration IN LISTS declarations)
     string(REGEX MATCH "sinew_export_[a-z]+" name ${declaration})
     target_link_options(sinew-export PRIVATE -Wl,--export=${name})
 endforeach()
-add_custom_target(sinew_wasm DEPENDS sinew sinew-threads sinew-float sinew-float-threads sinew-export)
+
+# bin/sinew-import.wasm: the readers of files/in, and of the engine as much as they need: no solver, no world. A page loads
+# it when such a file is dropped (web/sinew/import.js). The readers throw; exceptions of WebAssembly need little of a
+# runtime (bindings/wasm/exceptions.cpp).
+sinew_sources(files/in)
+list(FILTER sources EXCLUDE REGEX "/files/in/(folder_file|posed_model|gltf_amending|bone_turns)[.]cpp")
+list(APPEND sources bindings/c/native/import.cpp bindings/c/failure.cpp bindings/c/memory.cpp bindings/no_folder.cpp
+    bindings/wasm/no_system.cpp bindings/wasm/numbers.cpp bindings/wasm/exceptions.cpp files/out/deflate.cpp files/out/png_writer.cpp)
+foreach(name IN ITEMS math/color math/decimal math/format collide/decompose scene/text scene/json scene/json_parse scene/json_syntax
+        scene/json_text scene/diagnostic scene/svg_path scene/fill_rule prefab/obj prefab/jelly prefab/tetrahedra prefab/problem)
+    list(APPEND sources sinew/${name}.cpp)
+endforeach()
+add_executable(sinew-import ${sources})
+target_compile_options(sinew-import PRIVATE -fexceptions -fwasm-exceptions)
+set_source_files_properties(bindings/wasm/exceptions.cpp PROPERTIES COMPILE_OPTIONS -frtti)
+file(STRINGS bindings/c/sinew.h declarations REGEX "^SINEW_PROGRAM_API sinew_status sinew_import_")
+string(REGEX MATCHALL "sinew_import_[a-z]+" names "${declarations}")
+sinew_wasm_options(sinew-import ${names} sinew_abi sinew_allocate sinew_free sinew_message)
+target_link_options(sinew-import PRIVATE -Wl,--max-memory=1073741824)
+add_custom_target(sinew_wasm DEPENDS sinew sinew-threads sinew-float sinew-float-threads sinew-export sinew-import)

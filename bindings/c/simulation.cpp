@@ -90,24 +90,12 @@ template <class Work> sinew_status advance(sinew_simulation handle, const Work& 
 
 extern "C" {
 
-uint32_t sinew_abi(void) {
-    return SINEW_ABI;
-}
-
 const char* sinew_version(void) {
     return SINEW_VERSION;
 }
 
 const char* sinew_simd(void) {
     return name_of(best_simd());
-}
-
-void* sinew_allocate(size_t bytes) {
-    return std::malloc(bytes > 0 ? bytes : 1);
-}
-
-void sinew_free(void* memory) {
-    std::free(memory);
 }
 
 // --- opening ---------------------------------------------------------------------------------------------------------

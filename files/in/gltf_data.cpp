@@ -151,7 +151,7 @@ std::vector<double> GltfData::numbers(const JsonNode& accessor_index, std::strin
         accessor["type"].fail(concat("expected ", type, " here, found ", printable(found)));
     const auto count = accessor["count"].index(8 * ImportLimits::points);
     const auto code = accessor["componentType"].index();
-    const auto* const component = std::ranges::find(component_types, code, &ComponentType::code);
+    const auto component = std::ranges::find(component_types, code, &ComponentType::code);
     if (component == component_types.end())
         accessor["componentType"].fail("expected 5120, 5121, 5122, 5123, 5125 or 5126");
     if (!accessor["bufferView"].exists()) return std::vector<double>(count * components);

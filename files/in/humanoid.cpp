@@ -60,7 +60,7 @@ BodyPart body_part(std::string_view bone_name) {
 
 JointLimit joint_limit(BodyPart part) {
     constexpr double usual_range = 45; // degrees
-    const auto* const found = std::ranges::find(joint_limits, part, &JointLimit::part);
+    const auto found = std::ranges::find(joint_limits, part, &JointLimit::part);
     return found == joint_limits.end() ? JointLimit{part, usual_range, false} : *found;
 }
 

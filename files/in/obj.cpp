@@ -90,7 +90,7 @@ class ObjImport {
             name = name.substr(0, name.find_last_not_of(blanks) + 1);
             parts_.push_back({std::string(name), line, {}});
         }
-        const auto* const known = std::ranges::find(obj_words, keyword, &ObjWord::keyword);
+        const auto known = std::ranges::find(obj_words, keyword, &ObjWord::keyword);
         if (known != obj_words.end()) return scene_.notes().count(concat(line, ":1"), std::string(known->message));
         constexpr std::array<std::string_view, 5> taken = {"", "v", "f", "o", "g"};
         if (std::ranges::find(taken, keyword) == taken.end())

@@ -132,7 +132,7 @@ std::optional<double> length(std::string_view text, double whole) {
     const auto number = take_number(text);
     if (!number) return std::nullopt;
     if (text == "%") return *number / 100 * whole;
-    const auto* const unit = std::ranges::find(length_units, text, &LengthUnit::name);
+    const auto unit = std::ranges::find(length_units, text, &LengthUnit::name);
     if (unit == length_units.end()) return std::nullopt;
     return *number * unit->pixels;
 }

@@ -36,6 +36,8 @@ export async function sceneText(name: string): Promise<string | undefined> {
 export class Assets {
     private readonly images = new Map<string, { width: number; height: number }>();
     private readonly models = new Map<string, string>();
+    /** Images that somebody brings, until the page is left. */
+    private readonly brought = new Map<string, ImageBitmap>();
 
     /** Whether a text names an image or a model that `prepare` loads. */
     static areIn(text: string): boolean {
@@ -61,6 +63,12 @@ export class Assets {
         this.models.set(name, text);
     }
 
+    async addImage(name: string, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+        const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+        this.brought.set(name, image);
+        this.images.set(name, { width: image.width, height: image.height });
+    }
+
     optionsOf(text: string): Pick<OpenOptions, "images" | "models"> {
         const named = <Value>(all: Map<string, Value>): Record<string, Value> =>
             Object.fromEntries([...all].filter(([name]) => isIn(text, name)));
@@ -71,7 +79,7 @@ export class Assets {
     async giveTo(painter: Painter, text: string): Promise<void> {
         const names = Object.keys(this.optionsOf(text).images ?? {});
         await Promise.all(names.map(async (name) => {
-            const image = await bitmap(name);
+            const image = this.brought.get(name) ?? (await bitmap(name));
             if (image) painter.setImage(name, image);
         }));
     }

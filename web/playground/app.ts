@@ -11,7 +11,8 @@ import type { Gallery } from "./gallery.js";
 import { helpDialog } from "./help.js";
 import { connectKeys } from "./keys.js";
 import { Menu } from "./menu.js";
-import { isForImport, sceneOfObj } from "./models.js";
+import { isForeign, mainOf, readForeign } from "./imports.js";
+import { NotesList } from "./notes.js";
 import { Panel } from "./panel.js";
 import { addressOf, both, unnamed } from "./share.js";
 import { TimeBar } from "./timebar.js";
@@ -36,6 +37,7 @@ export class App {
     private gallery: Gallery | undefined;
     private readonly help: HTMLDialogElement;
     private readonly films = new Films();
+    private readonly notes = new NotesList();
     private toolbar: Toolbar | null = null;
     private timebar: TimeBar | null = null;
     private panel: Panel | null = null;
@@ -289,19 +291,22 @@ export class App {
     }
 
     chooseFile(): void {
-        const input = el("input", { type: "file", accept: ".json,.obj,application/json", onchange: () => void this.openFile(input.files?.[0]) });
+        const accept = ".json,.svg,.png,.obj,.glb,.gltf,.bin,.tmj,.tsj,.tsx,application/json";
+        const input = el("input", { type: "file", multiple: true, accept, onchange: () => void this.openFiles([...(input.files ?? [])]) });
         input.click();
     }
 
-    private async openFile(file: File | undefined): Promise<void> {
+    /** Opens a scene, or a file of another program with those that it refers to. */
+    private async openFiles(files: File[]): Promise<void> {
+        const file = mainOf(files);
         if (!file) return;
-        if (isForImport(file.name)) return announce(`The command makes a scene of it: sinew import ${file.name}`);
-        if (!/\.obj$/i.test(file.name)) return this.openText(await file.text(), file.name);
+        this.notes.show(file.name, []);
         try {
-            const text = await file.text();
-            const scene = sceneOfObj(text, file.name);
-            this.assets.addModel(file.name, text);
-            await this.openText(scene, file.name.replace(/\.obj$/i, ""));
+            if (!(await isForeign(file))) return await this.openText(await file.text(), file.name);
+            announce(`Reading ${file.name}…`);
+            const { scene, notes } = await readForeign(file, files, this.assets);
+            await this.openText(scene, file.name.replace(/\.\w+$/, ""));
+            this.notes.show(file.name, notes);
         } catch (error) {
             announce(messageOf(error));
         }
@@ -311,7 +316,7 @@ export class App {
         addEventListener("dragover", (event) => event.preventDefault());
         addEventListener("drop", (event) => {
             event.preventDefault();
-            void this.openFile(event.dataTransfer?.files[0]);
+            void this.openFiles([...(event.dataTransfer?.files ?? [])]);
         });
         addEventListener("paste", (event) => {
             const text = event.clipboardData?.getData("text") ?? "";

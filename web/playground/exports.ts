@@ -7,9 +7,13 @@ import { offer } from "./files.js";
 export const exportKinds = [
     { name: "model (glTF)", ending: "glb" },
     { name: "mesh (OBJ)", ending: "obj" },
+    { name: "points (PLY)", ending: "ply" },
+    { name: "point cache (PC2)", ending: "pc2" },
+    { name: "point cache (MDD)", ending: "mdd" },
     { name: "moving drawing (SVG)", ending: "svg" },
     { name: "animation (Lottie)", ending: "json" },
-    { name: "table (CSV)", ending: "csv" },
+    { name: "trace (CSV)", ending: "csv" },
+    { name: "trace (JSON)", ending: "jsonl" },
 ] as const;
 
 const types: Record<string, string> = { glb: "model/gltf-binary", obj: "model/obj", mtl: "model/mtl", svg: "image/svg+xml", csv: "text/csv", json: "application/json" };

@@ -70,8 +70,43 @@ export class Exporter {
     write(scene: string | object, name: string, options?: ExportOptions): Promise<{ files: ExportedFile[]; notes: string[] }>;
 }
 
+/** Loads the module that reads files of other programs, sinew-import.wasm beside this file. */
+export function loadImporter(source?: ModuleSource): Promise<Importer>;
+
+export type FileContent = string | ArrayBuffer | ArrayBufferView;
+
+export interface ImportOptions {
+    /** Of shapes whose names tell nothing: "solid", "jelly", "cloth", "rope", "collider" or "ignore". */
+    role?: string;
+    /** Largest distance of a simplified outline from the drawn one, pixels. */
+    error?: number;
+    /** Length in the scene of a unit of the file. */
+    scale?: number;
+    /** Files that the imported one may refer to (buffers, tilesets), by name. */
+    files?: Record<string, FileContent>;
+}
+
+export interface Imported {
+    /** The scene, complete. */
+    scene: string;
+    /** Files that the scene refers to: images (.png) and models (.obj), for the options of `engine.open`. */
+    files: ExportedFile[];
+    /** Whatever a scene cannot hold, with its place in the file ("12:3"; "" for the whole). */
+    notes: { place: string; message: string }[];
+}
+
+export class Importer {
+    /** The module, which a worker can be given. */
+    readonly module: WebAssembly.Module;
+    /**
+     * Makes a scene of an .svg, .png, .obj, .glb, .gltf, .tmj or Coding Math's .json, by content or else by the ending.
+     * Throws SinewError with the place in the file.
+     */
+    read(name: string, bytes: FileContent, options?: ImportOptions): Promise<Imported>;
+}
+
 /** The same functions as properties: `import Sinew from "sinew"; await Sinew.load()`. */
-declare const Sinew: { load: typeof load; loadFloat: typeof loadFloat; loadExporter: typeof loadExporter; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
+declare const Sinew: { load: typeof load; loadFloat: typeof loadFloat; loadExporter: typeof loadExporter; loadImporter: typeof loadImporter; abi: number; catalogue: typeof catalogue; Canvas2DPainter: typeof Canvas2DPainter };
 export default Sinew;
 
 // --- scenes -------------------------------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 // The package's entry: see index.d.ts for what there is, and README.md for how to begin.
 import { Engine, abi } from "./engine.js";
 import { Exporter } from "./export.js";
+import { Importer } from "./import.js";
 import { SceneErrors, SinewError, status } from "./errors.js";
 import { Canvas2DPainter } from "./painters/canvas2d.js";
 import { WebGL2Painter } from "./painters/webgl2.js";
@@ -33,6 +34,7 @@ const modules = {
     double: [new URL("./sinew.wasm", import.meta.url), new URL("./sinew-threads.wasm", import.meta.url)],
     float: [new URL("./sinew-float.wasm", import.meta.url), new URL("./sinew-float-threads.wasm", import.meta.url)],
     export: [new URL("./sinew-export.wasm", import.meta.url)],
+    import: [new URL("./sinew-import.wasm", import.meta.url)],
 };
 
 /** Threads share memory; a page may do so if it is cross-origin isolated, Node always. */
@@ -59,9 +61,13 @@ export async function loadExporter(source) {
     return new Exporter(await loadOf("export", source));
 }
 
+export async function loadImporter(source) {
+    return new Importer(await compiled(source ?? modules.import[0]));
+}
+
 export async function catalogue() {
     return (await import("./catalogue.js")).scenes;
 }
 
-export { abi, Canvas2DPainter, Exporter, PictureCopy, SceneErrors, Shape, SinewError, status, WebGL2Painter };
-export default { load, loadFloat, loadExporter, abi, catalogue, Canvas2DPainter };
+export { abi, Canvas2DPainter, Exporter, Importer, PictureCopy, SceneErrors, Shape, SinewError, status, WebGL2Painter };
+export default { load, loadFloat, loadExporter, loadImporter, abi, catalogue, Canvas2DPainter };

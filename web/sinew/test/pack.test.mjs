@@ -19,7 +19,7 @@ const npm = (...words) => execFileSync("npm", words, { cwd: folder, encoding: "u
 test("the packed package installs offline", { skip: !hasNpm }, async () => {
     const [{ filename, files }] = JSON.parse(npm("pack", packageFolder, "--json"));
     const names = files.map((file) => file.path);
-    for (const wanted of ["index.js", "index.d.ts", "sinew.wasm", "sinew-float.wasm", "sinew-threads.wasm", "sinew-export.wasm", "worker.js", "catalogue.js", "README.md", "painters/webgl2.js"])
+    for (const wanted of ["index.js", "index.d.ts", "sinew.wasm", "sinew-float.wasm", "sinew-threads.wasm", "sinew-export.wasm", "sinew-import.wasm", "worker.js", "catalogue.js", "README.md", "painters/webgl2.js"])
         assert.ok(names.includes(wanted), wanted);
     assert.ok(!names.some((name) => name.startsWith("test/") || name.startsWith("tools/")));
     await writeFile(path.join(folder, "package.json"), '{"type": "module"}');

@@ -1,0 +1,20 @@
+#include "bindings/c/sinew.h"
+
+#include <cstdlib>
+
+/// Functions that every module has, with or without an engine.
+extern "C" {
+
+uint32_t sinew_abi(void) {
+    return SINEW_ABI;
+}
+
+void* sinew_allocate(size_t bytes) {
+    return std::malloc(bytes > 0 ? bytes : 1);
+}
+
+void sinew_free(void* memory) {
+    std::free(memory);
+}
+
+} // extern "C"
