@@ -55,7 +55,7 @@ function offline(): Plugin {
             for (const file of Object.values(bundle)) hash.update(file.type === "asset" ? file.source : file.code);
             for (const name of readdirSync(directory)) hash.update(readFileSync(join(directory, name)));
             const files = [...new Set(["./", "learn/", "rollback/", ...readdirSync(directory), ...Object.keys(bundle)])].filter((name) => !name.endsWith("index.html")).sort();
-            const isForLater = (name: string): boolean => /sinew-(float|export)[^/]*\.wasm$/.test(name);
+            const isForLater = (name: string): boolean => /sinew-(float|export|import)[^/]*\.wasm$/.test(name);
             const list = (isOfThreads: boolean): string => JSON.stringify(files.filter((name) => !isForLater(name) && name.includes("-threads") === isOfThreads));
             const source = readFileSync(resolve(import.meta.dirname, "common/service_worker.js"), "utf8")
                 .replace("[/* files */]", list(false))

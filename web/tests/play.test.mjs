@@ -159,7 +159,7 @@ test("the module of float worlds is loaded when a scene asks for it; an open pag
 
 test("modules that a scene or a file asks for are kept when they have been loaded, and not before", { timeout: 120_000 }, () =>
     site.on(desktop, "#scene=rope", async (page) => {
-        const kept = () => page.evaluate(async () => (await (await caches.open((await caches.keys())[0])).keys()).map(({ url }) => url.replace(/.*\//, "")).filter((name) => /^sinew-(float|export)/.test(name)));
+        const kept = () => page.evaluate(async () => (await (await caches.open((await caches.keys())[0])).keys()).map(({ url }) => url.replace(/.*\//, "")).filter((name) => /^sinew-(float|export|import)/.test(name)));
         await page.evaluate(() => navigator.serviceWorker.ready);
         await page.waitForFunction(() => navigator.serviceWorker.controller !== null, null, { timeout: 30_000 });
         assert.deepEqual(await kept(), []);
