@@ -46,8 +46,10 @@ class Batch {
              [&](int world) { return is_on[world] ? sinew_restart(worlds_[std::size_t(world)]->handle()) : SINEW_OK; });
     }
 
-    /// Calls function(handle, id, point) for each world, with an id and a point of its own.
+    /// Calls function(handle, id, point) for each world, with an id and a point of its own; for none where a number is
+    /// wrong.
     template <class Function> void edit(Function function, const Ids& ids, const Points& points) {
+        check_points(points, is_float(worlds_.front()->handle()), "world");
         each(1, [&](int world) {
             return function(worlds_[std::size_t(world)]->handle(), ids.data()[world], point_at(points, world));
         });

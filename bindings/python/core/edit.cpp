@@ -4,11 +4,17 @@
 namespace sinew::python {
 namespace {
 
-/// Calls function(handle, id, point) for ids and rows of points: as many points as ids, or one for all.
+/// Calls function(handle, id, point) for ids and rows of points: as many points as ids, or one for all. Nothing is
+/// changed where an id or a number is wrong.
 template <class Function>
 void for_points(Simulation& simulation, Function function, const Ids& ids, const Points& points) {
     const Hold hold(simulation.mutex());
     const bool is_one = points.shape(0) == 1;
+    check_points(points, is_float(simulation.handle()));
+    for (py::ssize_t i = 0; i < ids.size(); ++i) {
+        std::uint32_t row = 0;
+        check(sinew_row_of(simulation.handle(), ids.data()[i], &row));
+    }
     for (py::ssize_t i = 0; i < ids.size(); ++i)
         check(function(simulation.handle(), ids.data()[i], point_at(points, is_one ? 0 : i)));
 }

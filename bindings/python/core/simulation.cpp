@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sinew::python {
 namespace {
@@ -109,6 +110,20 @@ void Simulation::run_until(double seconds) {
         status = sinew_run_until(handle_, std::min(next, seconds));
         return next < seconds;
     });
+}
+
+bool is_float(sinew_simulation handle) {
+    sinew_info info{};
+    check(sinew_get_info(handle, &info));
+    return info.real_bytes == sizeof(float);
+}
+
+void check_points(const Points& points, bool is_float, const char* rows) {
+    const double end = is_float ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+    for (py::ssize_t row = 0; row < points.shape(0); ++row)
+        for (py::ssize_t i = 0; i < points.shape(1); ++i)
+            if (!(std::abs(points.at(row, i)) <= end))
+                raise(SINEW_BAD_ARGUMENT, rows + (" " + std::to_string(row)) + ": a number is not finite");
 }
 
 sinew_point point_at(const Points& points, py::ssize_t row) {

@@ -103,6 +103,10 @@ class Simulation {
 
 /// A point of two or three finite numbers; raises otherwise. `what` names the argument.
 sinew_point point_of(const Points& numbers, const char* what);
+/// Whether a world is of float; its numbers end at 3.4e38.
+bool is_float(sinew_simulation handle);
+/// Raises for a number that is not finite in a world, with its row; `rows` is what a row is called.
+void check_points(const Points& points, bool is_float, const char* rows = "row");
 /// Row `row` of an array of points with 2 or 3 columns.
 sinew_point point_at(const Points& points, py::ssize_t row);
 

@@ -10,6 +10,10 @@
 
 ``sinew.catalogue()`` lists the scenes with a name; docs/how/python.md of the source tree is the manual. The same scene
 has the same bits here as in C++, on the command line and in the browser: ``sim.hash()`` tells.
+
+Errors are ``sinew.Error``: SceneError, a ValueError, for a scene with mistakes, all of them with line and column; NotFoundError, a
+LookupError, for names and ids; ClosedError after ``close``; and a ValueError for numbers out of range and arrays of another
+shape, whose message has the right one. A call that raises changes nothing.
 """
 
 from ._core import simd, version as __version__

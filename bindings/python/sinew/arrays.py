@@ -33,6 +33,9 @@ def from_arrays(points: npt.ArrayLike, links: npt.ArrayLike = (), *, faces: npt.
     compliance  (m,) or one number: 1 / stiffness, metres per newton; 0 is rigid
     scene       any section of a scene: ``world={"gravity": [0, -9.81]}``, ``solver``, ``view``, ``units``, ...
 
+    Raises ValueError for shapes that do not fit, rows that no point has and not-a-numbers; SceneError, with the path of the
+    value, for what no scene may hold: a negative mass, a link of a point to itself.
+
     >>> import numpy as np
     >>> sim = from_arrays(np.c_[np.arange(5), np.zeros(5)], [[0, 1], [1, 2], [2, 3], [3, 4]], pinned=[0])
     >>> sim["body/4"].position

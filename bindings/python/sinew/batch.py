@@ -26,7 +26,8 @@ def batch(scene: Scene, n: int, *, seed: int = 0, vary: Mapping[str, Values] | N
 
     ``vary`` gives parameters that differ, by path: ``n`` values, a tuple ``(low, high)`` to draw from, or a function
     of a NumPy generator that returns ``n`` values. The same ``seed`` draws the same values. ``threads`` 0 is the
-    number of cores; results do not depend on it. At most 4096 worlds are open at once.
+    number of cores; results do not depend on it. At most 4096 worlds are open at once: beyond, MemoryError. Raises SceneError
+    as ``open`` does, and ValueError for values that are not ``n``, or that give worlds of unequal numbers of particles.
 
     >>> worlds = batch("rope", 8, vary={"figures.rope.weight": (1, 20)}, seed=1)
     >>> worlds.step(10)

@@ -18,7 +18,8 @@ class Edits(Names):
 
     def add_particle(self, position: npt.ArrayLike, velocity: npt.ArrayLike | None = None, *, mass: float = 1,
                      radius: float = 0) -> Particle:
-        """Adds a particle; ``mass`` may be infinite: immovable."""
+        """Adds a particle at a position with a velocity, (dimension,) each; ``mass`` may be infinite: immovable. Raises
+        ValueError for a mass or radius below 0 and for numbers that are not finite."""
         still = np.zeros(self.dimension) if velocity is None else self._point(velocity, "a velocity")
         return Particle(self._self, self._core.add_particle(self._point(position, "a position"), still, mass, radius))
 
@@ -29,7 +30,8 @@ class Edits(Names):
 
         Without ``low`` and ``high`` it keeps the present measure; with one of them the other side is free: a rope has
         only ``high``. ``compliance`` is 1 / stiffness, 0 rigid; ``max_force`` 0 is without limit; ``breaking_strain``
-        0 never breaks.
+        0 never breaks. Measures are lengths, areas and volumes in the units of the scene, angles in radians. Raises
+        ValueError for an unknown kind, another number of particles or numbers out of range, NotFoundError for particles.
         """
         limits = (1, 0) if low is None and high is None else (-np.inf if low is None else low, np.inf if high is None else high)
         if low is not None and high is not None and low > high:

@@ -228,3 +228,31 @@ def test_views_after_the_end_and_huge_arrays():
 def test_checks_take_values_as_open_does():
     assert sinew.check("ragdoll", {"figures.bob.height": 150}, mode="classic") == []
     assert sinew.check("ragdoll", {"figures.bob.height": -1})
+
+
+@pytest.mark.parametrize("precision, number", [("double", np.nan), ("double", -np.inf), ("float", 1e39)])
+def test_one_wrong_number_changes_no_other(precision, number):
+    """Neither the rows before it, nor the worlds, nor forces that wait for the next step."""
+    sim, alone = sinew.open("ragdoll", precision=precision), sinew.open("ragdoll", precision=precision)
+    worlds = sinew.batch("rope", 3, precision=precision)
+    wrong, forces = np.ones((n, 2)), np.ones((3, 2))
+    wrong[-1, 1] = forces[-1, 1] = number
+    uses = [lambda: setattr(sim, "positions", wrong), lambda: setattr(sim["bob"], "velocities", wrong), lambda: sim["bob"].apply_force(wrong),
+            lambda: sim["bob"].apply_impulse(wrong), lambda: worlds.apply_force("rope/end", forces)]
+    for use in uses:
+        with pytest.raises(ValueError):
+            use()
+    for world in (sim, alone, worlds):
+        world.step()
+    assert sim.hash() == alone.hash() and len(set(worlds.hashes)) == 1
+
+
+def test_a_removed_particle_of_a_selection_changes_no_other(sim):
+    hands = sim.copy()["bob/*_hand"]
+    other = hands.simulation
+    other.particle(int(hands.ids[1])).remove()
+    before = other.hash()
+    for use in (lambda: setattr(hands, "positions", [0, 0]), lambda: setattr(hands, "velocities", [1, 1]), lambda: hands.apply_impulse([9, 9])):
+        with pytest.raises(sinew.NotFoundError):
+            use()
+    assert other.hash() == before
