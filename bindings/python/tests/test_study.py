@@ -54,6 +54,8 @@ def test_the_page_shows_cases_with_their_scenes(tmp_path):
     study.run()
     page = (study.folder / "index.html").read_text()
     assert "Swings &lt;&amp;&gt; things" in page and "12 of 12 cases, 0 failed" in page
+    assert "torn = none" in page
+    assert "<!-- energy -->" in page and "<!-- torn -->" not in page  # matplotlib notes its texts; nothing is torn
     shown = sorted((study.folder / "cases").glob("*.json"))
     assert len(shown) == 12
     number = int(shown[3].stem)

@@ -119,7 +119,7 @@ def _figure(study: StudyFile, row: Row, link: str, folder: Path) -> str:
 
 
 def _short(value: Any) -> str:
-    return f"{value:.6g}" if isinstance(value, float) else json.dumps(value)
+    return "none" if value is None else f"{value:.6g}" if isinstance(value, float) else json.dumps(value)
 
 
 def _plot(study: StudyFile, rows: Sequence[Row]) -> str:
@@ -134,7 +134,7 @@ def _plot(study: StudyFile, rows: Sequence[Row]) -> str:
     cases = study.design.values()
     values = [cases[row.number] for row in rows]
     paths = [path for path in study.design.vary if all(isinstance(value[path], (int, float)) for value in values)][:6]
-    names = list(study.job.measure)[:6]
+    names = [name for name in study.job.measure if any(_is_number(row.measures.get(name)) for row in rows)][:6]
     if not paths or not names or not rows:
         return ""
     figure = Figure(figsize=(3.4 * len(paths), 2.4 * len(names)))
