@@ -215,7 +215,11 @@ void Drawing::add_rope(const DrawnShape& shape) {
 }
 
 Imported Drawing::finish(std::string about) {
-    if (figures_.empty() && colliders_.empty()) throw ImportError{"", "there is no shape in it that a scene can have"};
+    if (figures_.empty() && colliders_.empty()) {
+        const auto notes = notes_.taken(); // the first is the reason, as far as there is one
+        throw ImportError{notes.empty() ? "" : notes[0].place, "there is no shape in it that a scene can have",
+                          notes.empty() ? "" : notes[0].message};
+    }
     auto low = Vec2<double>{}, high = size_;
     if (colliders_.empty()) {
         low = {{-size_[0] / 4, -size_[1] / 4}};

@@ -183,5 +183,15 @@ TEST(ImportGltf, RagdollHasTheMassOfItsHeightAndTheLengthsOfItsBones) {
     EXPECT_NEAR(thigh, std::hypot(0.43, 0.01), 1e-3);
 }
 
+TEST(ImportShapes, AFileThatGivesNothingTellsWhy) {
+    try {
+        import_text("a.svg", "<svg width='9' height='9'>\n<text>a</text></svg>");
+        FAIL() << "accepted";
+    } catch (const files::ImportError& error) {
+        EXPECT_EQ(error.place, "2:2: <text>");
+        EXPECT_EQ(error.help, "<text> is not taken");
+    }
+}
+
 } // namespace
 } // namespace sinew::SINEW_TEST_FILE
