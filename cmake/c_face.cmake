@@ -22,6 +22,8 @@ list(FILTER folder_files INCLUDE REGEX "/files/in/(folder_file|posed_model|gltf_
 list(REMOVE_ITEM sources ${folder_files})
 add_library(sinew_import OBJECT ${sources} ${headers})
 sinew_sources(bindings/c)
+# Operators new and delete are those of a whole program: for the libraries alone.
+list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/bindings/c/native/allocator.cpp)
 add_library(sinew_face OBJECT ${sources} ${headers})
 foreach(part IN ITEMS sinew_player sinew_export sinew_import sinew_face)
     target_link_libraries(${part} PUBLIC sinew)
@@ -43,7 +45,7 @@ endif()
 
 set(parts $<TARGET_OBJECTS:sinew> $<TARGET_OBJECTS:sinew_once> $<TARGET_OBJECTS:sinew_face>
     $<TARGET_OBJECTS:sinew_player> $<TARGET_OBJECTS:sinew_export> $<TARGET_OBJECTS:sinew_import>
-    bindings/no_files.cpp bindings/no_folder.cpp canvas/beside.cpp)
+    bindings/no_files.cpp bindings/no_folder.cpp canvas/beside.cpp bindings/c/native/allocator.cpp)
 
 # sinew_c_library(TARGET KIND): the C face as a library that C programs need nothing beside.
 function(sinew_c_library target kind)
@@ -61,7 +63,8 @@ set_target_properties(sinew_c PROPERTIES EXPORT_NAME c_static EXCLUDE_FROM_ALL $
 if(SINEW_SHARED)
     # C functions are the only symbols: neither C++ of the engine nor of the standard library (bindings/c/symbols.map).
     sinew_c_library(sinew_shared SHARED)
-    target_link_options(sinew_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/bindings/c/symbols.map -Wl,--gc-sections -Wl,-z,defs)
+    target_link_options(sinew_shared PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/bindings/c/symbols.map -Wl,--gc-sections -Wl,-z,defs
+        -static-libstdc++ -static-libgcc) # the standard library's memory, too, is that of sinew_set_allocator
     set_target_properties(sinew_shared PROPERTIES EXPORT_NAME c VERSION ${abi}.${PROJECT_VERSION} SOVERSION ${abi}
         LINK_DEPENDS ${PROJECT_SOURCE_DIR}/bindings/c/symbols.map)
     add_library(sinew::c ALIAS sinew_shared)

@@ -72,7 +72,10 @@ if(SINEW_ONLY_RENDER)
     target_compile_definitions(sinew_cli PRIVATE SINEW_ONLY_COMMAND=render)
 else()
     sinew_command(sinew_cli ${sources})
-    target_link_libraries(sinew_cli PRIVATE $<TARGET_NAME_IF_EXISTS:window> play bench sinew_files)
+    target_link_libraries(sinew_cli PRIVATE $<TARGET_NAME_IF_EXISTS:window> play bench sinew_files ${CMAKE_DL_LIBS})
+    # A level, a shared object that `play` loads, calls the C face of the command.
+    target_sources(sinew_cli PRIVATE $<TARGET_OBJECTS:sinew_face>)
+    target_link_options(sinew_cli PRIVATE LINKER:--export-dynamic-symbol=sinew_*)
     if(SINEW_TESTS) # a file that it lacks is told by the linker alone
         sinew_command(render_alone ${render_sources})
         target_compile_definitions(render_alone PRIVATE SINEW_ONLY_COMMAND=render)
@@ -80,5 +83,7 @@ else()
 endif()
 set_source_files_properties(apps/cli/catalogue.cpp PROPERTIES
     COMPILE_DEFINITIONS SINEW_SCENES_DIR="${PROJECT_SOURCE_DIR}/scenes")
+set_source_files_properties(apps/cli/compiler.cpp PROPERTIES
+    COMPILE_DEFINITIONS SINEW_INCLUDE_DIR="${PROJECT_SOURCE_DIR}/bindings/c")
 set_source_files_properties(apps/cli/bench_weights.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # shared names
 set_target_properties(sinew_cli PROPERTIES OUTPUT_NAME sinew)

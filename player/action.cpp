@@ -33,6 +33,7 @@ struct EventApplier {
             },
             session.world());
     }
+    void operator()(const Steer& action) const { session.steering().play(action.controls); }
 };
 
 } // namespace

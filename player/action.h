@@ -63,7 +63,12 @@ struct Tweak {
     std::optional<double> mass;
 };
 
-using Action = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Quicken, Tweak>;
+/// Controls of characters and cars by the player's keys.
+struct Steer {
+    Controls controls;
+};
+
+using Action = std::variant<PointAt, Grab, Drag, LetGo, Slash, Become, Return, Restart, Quicken, Tweak, Steer>;
 
 /// Id of the particle in a row; an invalid id where the row does not exist.
 ParticleId id_at(const AnyWorld& world, Row row);

@@ -206,7 +206,7 @@ void Play::record_in(const fs::path& folder) {
 
 /// Begins a file for the running session, and removes the oldest of many.
 void Play::begin_recording() {
-    if (recordings_.empty() || panes_.empty()) return;
+    if (recordings_.empty() || panes_.empty() || session().level()) return;
     recording_ = new_file_in(recordings_, fs::path(name_).stem().string(), recording_extension, max_recordings - 1);
     if (recording_.empty()) return;
     const auto from = beside_.empty() ? std::string() : full_path(beside_);
@@ -255,10 +255,12 @@ bool Play::would_lose() const {
 
 bool Play::save(const fs::path& path) {
     if (auto failure = write_file(path, saved_text())) return report_problem(std::move(*failure)), false;
-    path_ = beside_ = path;
-    written_ = time_written(path_);
-    name_ = path.string();
-    overrides_.clear();
+    if (!session().level()) { // a level goes on with its own file
+        path_ = beside_ = path;
+        written_ = time_written(path_);
+        name_ = path.string();
+        overrides_.clear();
+    }
     saved_edits_ = timeline().edits();
     saved_as_ = saved_text();
     drop_draft();
@@ -274,7 +276,7 @@ void Play::save_or_ask() {
 
 /// Scenes of the catalogue are never overwritten.
 void Play::save_then(std::function<void()> go_on) {
-    const bool own = !path_.empty() && is_file_name(name_);
+    const bool own = !path_.empty() && is_file_name(name_) && !session().level();
     if (!own) return ask_for_path(Purpose::save, std::move(go_on));
     if (save(path_) && go_on) go_on();
 }

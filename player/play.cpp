@@ -8,6 +8,7 @@
 #include "player/tool.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <utility>
 
@@ -57,8 +58,27 @@ void Play::begin(Fetched fetched) {
     path_ = beside_ = std::move(fetched.path);
     written_ = time_written(path_);
     std::vector<Pane> panes;
-    panes.push_back({Timeline(Session(std::move(*fetched.opened))), {}});
+    panes.push_back({Timeline(session_from(std::move(fetched))), {}});
     begin(std::move(panes));
+    look_at_level();
+}
+
+/// Goes on with the code and the scene of a level that was compiled again.
+void Play::go_on_with(Fetched fetched) {
+    each_pane([&] {
+        timeline().change_level(fetched.level, fetched.opened->scene);
+        saved_edits_ = timeline().edits();
+    });
+    clock_->set_rate(session().scene().solver.rate);
+    problem_.clear();
+    saved_as_ = saved_text();
+    look_at_level();
+}
+
+/// Reports a failure of the level's code.
+void Play::look_at_level() {
+    if (!ready() || !session().level() || session().level()->problem.empty()) return;
+    report_problem(std::exchange(session().level()->problem, {}));
 }
 
 void Play::begin(std::vector<Pane> panes) {
@@ -107,8 +127,11 @@ void Play::read_again() {
     let_go_of_everything();
     const bool split = is_split();
     if (would_lose()) drop_draft();
-    begin(std::move(fetched));
-    if (split) toggle_split();
+    if (fetched.level && session().level())
+        go_on_with(std::move(fetched));
+    else
+        begin(std::move(fetched));
+    if (split && !is_split()) toggle_split();
     tell("reloaded", {{"name", name_}});
 }
 
@@ -126,6 +149,7 @@ void Play::advance(double seconds, const std::function<bool()>& enough) {
     tend_draft(seconds);
     for (int due = clock_->advance(seconds); due > 0; --due) {
         each_pane([&] { timeline().step(); });
+        look_at_level();
         tell_happenings();
         if (enough && due > 1 && enough()) {
             clock_->forget();
@@ -201,6 +225,7 @@ void Play::handle(const Input& input) {
         }
         void operator()(const Key& key) const { play.key(key.name); }
         void operator()(const KeyUp& key) const {
+            play.steer(key.name, false);
             if (key.name == "space") play.space_ = false;
         }
         void operator()(const Left&) const { play.over_ = false, play.hovered.reset(); }
@@ -248,7 +273,7 @@ void Play::moved(Vec2<double> to) {
     hovered = pick_here();
     if (clock_->paused()) return;
     each_pane([&] {
-        if (feels_pointer(session().scene()))
+        if (session().level() || feels_pointer(session().scene()))
             timeline().act(PointAt{view().position_of(pointer_, hovered ? hovered->depth : 1)});
     });
 }
@@ -293,6 +318,7 @@ void Play::key(const std::string& name) {
     const bool is_page = settings && action == "settings";
     if (question && name == "return") return answer(0);
     if ((question || path_request || settings) && action != "close" && !is_page) return;
+    if (steer(name, true)) return;
     if (name == "space") space_ = true;
     for (auto& one : tools_)
         if (one->name() == action) {
@@ -302,6 +328,24 @@ void Play::key(const std::string& name) {
             return tell("tool", {{"name", one->name()}});
         }
     press_key(*this, name);
+}
+
+/// The arrows, space, and h.
+bool Play::steer(const std::string& key, bool is_down) {
+    constexpr std::array names = {"left", "right", "up", "down", "space", "h"};
+    if (std::ranges::find(names, key) == names.end()) return false;
+    if (!session().level() && !session().steering().has_any(session().scene())) return false;
+    const auto before = steering_keys_;
+    std::erase(steering_keys_, key);
+    if (is_down) steering_keys_.push_back(key);
+    if (before.size() == steering_keys_.size()) return true; // a key repeats while it is held
+    const auto held = [&](const char* name) { return std::ranges::count(steering_keys_, name) > 0; };
+    const Controls controls{.along = double(held("right")) - double(held("left")),
+                            .up = double(held("up")) - double(held("down")),
+                            .jump = held("space"),
+                            .hold = held("h")};
+    each_pane([&] { timeline().act(Steer{controls}); });
+    return true;
 }
 
 // --- events ----------------------------------------------------------------------------------------------------------

@@ -53,6 +53,8 @@ class Play {
     /// Size of the picture in pixels, and pixels per nominal pixel (2 on a dense display).
     void resize(int width, int height, double density = 1);
     void handle(const Input& input);
+    /// Takes a key that steers characters, cars and levels; false for any other, and where there is nothing to steer.
+    bool steer(const std::string& key, bool is_down);
     /// Advances real time and takes the steps due, until `enough` returns true.
     void advance(double seconds, const std::function<bool()>& enough = {});
     /// Fills the picture, of the size set by resize(); the picture of a split view is larger by the labels of
@@ -200,6 +202,8 @@ class Play {
     const Pane& pane() const { return panes_[active_]; }
     void begin(Fetched fetched);
     void begin(std::vector<Pane> panes);
+    void go_on_with(Fetched fetched);
+    void look_at_level();
     void open_now(const std::string& scene, std::vector<Override> overrides);
     bool open_converted(const std::filesystem::path& file);
     void open_state(const std::filesystem::path& path);
@@ -260,6 +264,7 @@ class Play {
     int width_ = 1280, height_ = 720;
     double density_ = 1;
     bool space_ = false;
+    std::vector<std::string> steering_keys_; ///< held down, of those that steer
     std::optional<Button> held_;
     std::vector<std::unique_ptr<Tool>> tools_;
     Tool* busy_ = nullptr;                          ///< tool between press and release

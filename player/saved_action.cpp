@@ -28,6 +28,10 @@ struct Save {
     Saved operator()(const Tweak& action) const {
         return SavedTweak{std::int64_t(action.particle), action.position, action.velocity, action.mass};
     }
+    Saved operator()(const Steer& action) const {
+        const auto& [along, up, jump, hold] = action.controls;
+        return SavedSteer{along, up, jump, hold};
+    }
 };
 
 struct Load {
@@ -52,6 +56,9 @@ struct Load {
     std::optional<Action> operator()(const SavedQuicken& action) const { return Quicken{action.by}; }
     std::optional<Action> operator()(const SavedTweak& action) const {
         return Tweak{Row(action.particle), action.position, action.velocity, action.mass};
+    }
+    std::optional<Action> operator()(const SavedSteer& action) const {
+        return Steer{{action.along, action.up, action.jump, action.hold}};
     }
 };
 

@@ -108,9 +108,23 @@ struct SavedTweak {
     }
 };
 
+struct SavedSteer {
+    static constexpr std::string_view name = "steer";
+    static constexpr std::string_view about = "Steers characters and cars.";
+    double along = 0, up = 0;
+    bool jump = false, hold = false;
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.along, Field{.name = name, .help = "To the right", .low = -1, .high = 1, .required = true});
+        visit(self.up, Field{.name = "up", .help = "Upwards", .low = -1, .high = 1});
+        visit(self.jump, Field{.name = "jump", .help = "Jumps; a car brakes"});
+        visit(self.hold, Field{.name = "hold", .help = "Holds ropes and planks"});
+    }
+};
+
 struct SavedAction {
     std::int64_t step = 0;
-    std::variant<SavedPointer, SavedGrab, SavedDrag, SavedRelease, SavedCut, SavedEdit, SavedQuicken, SavedTweak>
+    std::variant<SavedPointer, SavedGrab, SavedDrag, SavedRelease, SavedCut, SavedEdit, SavedQuicken, SavedTweak,
+                 SavedSteer>
         action;
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.step, Field{.name = "step", .help = "Step of the action", .low = 0, .high = 1e12, .required = true});

@@ -2,6 +2,7 @@
 
 #include "sinew/scene/document.h"
 #include "sinew/scene/scene.h"
+#include "sinew/session/session.h"
 
 #include <array>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sinew::files {
@@ -22,8 +24,16 @@ namespace sinew::play {
 struct Fetched {
     std::optional<Opened> opened;
     std::string problem;
-    std::filesystem::path path; ///< the scene's file, watched for changes; empty if none
+    std::filesystem::path path;     ///< the scene's file, watched for changes; empty if none
+    std::shared_ptr<Level> level{}; ///< code beside the scene
 };
+
+/// Session of a scene that was opened, with the code beside it.
+inline Session session_from(Fetched fetched) {
+    Session session(std::move(*fetched.opened));
+    if (fetched.level) session.play(std::move(fetched.level));
+    return session;
+}
 
 /// A scene file made of another program's file, or the reason why none was. Both empty: it is no such file.
 struct Converted {

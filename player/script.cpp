@@ -167,6 +167,14 @@ class Player {
         play_.handle(KeyUp{words[0]});
         return "";
     }
+    std::string key_down(double, const Words& words) {
+        play_.handle(Key{words[0]});
+        return "";
+    }
+    std::string key_up(double, const Words& words) {
+        play_.handle(KeyUp{words[0]});
+        return "";
+    }
     std::string lift(double, const Words& words) {
         const auto finger = number_of(words[0]);
         if (!finger) return "expected the number of a finger";
@@ -293,7 +301,8 @@ std::span<const Player::Action> Player::actions() {
         {"end", 0, 0, &Player::end},         {"touch", 3, 5, &Player::touch},
         {"lift", 1, 1, &Player::lift},       {"state", 1, 1, &Player::save_state},
         {"answer", 1, 1, &Player::answer},   {"choose", 1, 1, &Player::choose},
-        {"paste", 1, 1, &Player::paste},
+        {"paste", 1, 1, &Player::paste},     {"down", 1, 1, &Player::key_down},
+        {"up", 1, 1, &Player::key_up},
     };
     return list;
 }

@@ -60,6 +60,7 @@ void Play::toggle_split() {
             fetched = library_.read(saved_text(), name_, beside_);
             if (fetched.opened) fetched.opened->scene.solver.mode = mode;
             if (fetched.opened) fetched.opened->world = instantiate(fetched.opened->scene);
+            fetched.level = session().level();
         } else {
             auto overrides = overrides_;
             std::erase_if(overrides, [](const Override& one) { return one.pair.starts_with("mode="); });
@@ -67,7 +68,7 @@ void Play::toggle_split() {
             fetched = library_.fetch(name_, overrides);
         }
         if (!fetched.opened) return report_problem(std::move(fetched.problem));
-        panes.push_back({Timeline(Session(std::move(*fetched.opened))), {}});
+        panes.push_back({Timeline(session_from(std::move(fetched))), {}});
     }
     if (panes[0].timeline.session().scene().solver.rate != panes[1].timeline.session().scene().solver.rate)
         return report_problem("classic and physical mode of this scene take steps of other lengths");

@@ -49,7 +49,8 @@ bool leaps(const Action& action) {
 } // namespace
 
 Timeline::Timeline(Session session)
-    : session_(std::move(session)), log_(session_), spacing_(steps_in(between_marks, session_)) {
+    : session_(std::move(session)), log_(session_), spacing_(steps_in(between_marks, session_)),
+      has_recipe_(!session_.level()) {
     mark();
 }
 
@@ -82,6 +83,13 @@ void Timeline::apply(const Action& action) {
     carry_out(action, session_);
     log_.note(action, session_);
     if (leaps(action)) between_.forget();
+}
+
+/// Steps of the past would be taken by other code: the timeline begins anew, and so do the edits.
+void Timeline::change_level(std::shared_ptr<Level> level, const Scene& scene) {
+    session_.become(scene, std::move(level));
+    *this = Timeline(std::move(session_));
+    has_recipe_ = false;
 }
 
 Return Timeline::return_here() const {

@@ -35,6 +35,8 @@ class Timeline {
     bool has_recipe() const { return has_recipe_; }
 
     const Session& session() const { return session_; }
+    /// Goes on with other code beside the scene, which may be another one, too; the past was that of the old code.
+    void change_level(std::shared_ptr<Level> level, const Scene& scene);
     void report(const SolverReports& reports) { session_.set_reports(reports); }
     /// All actions from the start of a scene to now.
     Recipe recipe() const { return log_.recipe(); }

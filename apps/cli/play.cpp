@@ -6,6 +6,7 @@
 #include "apps/cli/imported_file.h"
 #include "apps/cli/index.h"
 #include "apps/cli/json_line.h"
+#include "apps/cli/level_file.h"
 #include "apps/cli/scene_file.h"
 #include "apps/cli/stepping.h"
 #include "canvas/formats.h"
@@ -43,6 +44,7 @@ std::string plain(const std::string& text) {
 
 play::Fetched fetch(const std::string& word, std::span<const Override> overrides) {
     try {
+        if (is_level(word)) return open_level(word, overrides);
         play::Fetched fetched{open_file(word, overrides), "", {}};
         fetched.path = scene_path(word);
         return fetched;
@@ -119,6 +121,7 @@ class PlayCommand final : public Command {
             .examples = "sinew play\n"
                         "sinew play ragdoll mode=classic\n"
                         "sinew play my-scene.json view.theme=dark\n"
+                        "sinew play ./my_level.so\n"
                         "sinew play ragdoll --script throw.txt --json\n",
         };
     }
@@ -190,6 +193,9 @@ class PlayCommand final : public Command {
     }
 
     std::string details =
+        "SCENE may be a level: a shared object, or C or C++ to compile to one (sinew_level.h), which\n"
+        "builds a world and acts in it. Compiled again, it is loaded again and the world goes on. Arrow\n"
+        "keys, space and h steer levels, characters and cars.\n\n"
         "In the window: drag to throw, drag with the right button to cut, with the middle one to look\n"
         "elsewhere; the wheel zooms. Keys:\n\n" +
         keys_text() +
@@ -201,7 +207,7 @@ class PlayCommand final : public Command {
         "  2.0 key p\n"
         "  2.1 shot thrown.png\n\n"
         "Also: scroll N, where PARTICLE, set PATH=VALUE, open SCENE, go STEP, save FILE, state FILE,\n"
-        "paste FILE, answer WORD, choose FILE, end.\n\n"
+        "paste FILE, answer WORD, choose FILE, down KEY and up KEY for one that is held, end.\n\n"
         "With --json a line has what, scene, seconds and more. What happens in the scene has the members\n"
         "that it has in the log of run --json: where, islands, with, impulse.\n";
     Words words;

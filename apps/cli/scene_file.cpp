@@ -160,8 +160,9 @@ Opened open_file(const std::string& word, std::span<const Override> overrides, W
     return open_in(word == "-" ? fs::path(".") : path_of(word).parent_path(), open_document(word, overrides), read);
 }
 
-Opened open_text(const std::string& text, const std::string& name, const fs::path& folder) {
-    return open_in(folder, load(text, name));
+Opened open_text(const std::string& text, const std::string& name, const fs::path& folder,
+                 std::span<const Override> overrides) {
+    return open_in(folder, load(text, name, overrides));
 }
 
 fs::path scene_path(const std::string& word) {

@@ -17,7 +17,8 @@ namespace sinew::cli {
 Opened open_file(const std::string& word, std::span<const Override> overrides = {}, WatchedFiles* read = nullptr);
 
 /// Builds a scene from text, called `name` in messages; images and models are looked up in `folder`.
-Opened open_text(const std::string& text, const std::string& name, const std::filesystem::path& folder);
+Opened open_text(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                 std::span<const Override> overrides = {});
 
 /// The file as read, unchecked; errors are in the document's diagnostics.
 Document open_document(const std::string& word, std::span<const Override> overrides = {});

@@ -339,6 +339,7 @@ sinew_status sinew_player_key(sinew_player player, const char* name, uint32_t is
     return with(player, [&](Player& known) {
         auto& play = *known.play;
         if (!is_down) return play.handle(play::KeyUp{name});
+        if (play.steer(name, true)) return;
         if (is_of_scene(play.keys.action_of(name))) play.handle(play::Key{name});
     });
 }

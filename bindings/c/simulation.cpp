@@ -10,12 +10,12 @@
 #include "player/scene_edit.h"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace sinew::c {
 
 const Session* Simulation::session() const {
     if (own) return &*own;
+    if (lent) return lent;
     if (!player || pane >= player->pane_count()) return nullptr;
     const Session* found = nullptr;
     player->each_pane([&] {
@@ -45,6 +45,7 @@ constexpr std::uint32_t max_slots = 1u << (32 - kind_bits);
 sinew_status add(Session session, sinew_simulation* handle) {
     auto simulation = std::make_unique<Simulation>();
     simulation->own.emplace(std::move(session));
+    simulation->own->set_contact_filter({}); // of the simulation that was copied
     const auto id = simulations().add(std::move(simulation));
     if (id == 0) return fail(SINEW_FULL, "too many open simulations");
     handle->id = id;
@@ -74,14 +75,10 @@ using namespace sinew::c;
 
 namespace {
 
-/// Takes the steps of work(session), with the caller's filter of contacts if there is one.
+/// Takes the steps of work(session).
 template <class Work> sinew_status advance(sinew_simulation handle, const Work& work) {
-    const auto* simulation = simulations().find(handle.id);
-    return change(handle, [&](Session& session) {
-        if (simulation->filtered)
-            simulation->filtered(session, [&] { work(session); });
-        else
-            work(session);
+    return change_own(handle, [&](Session& session) {
+        work(session);
         return SINEW_OK;
     });
 }
@@ -157,7 +154,7 @@ sinew_status sinew_close(sinew_simulation simulation) {
 // --- time ------------------------------------------------------------------------------------------------------------
 
 sinew_status sinew_restart(sinew_simulation simulation) {
-    return change(simulation, [](Session& session) {
+    return change_own(simulation, [](Session& session) {
         session.restart();
         return SINEW_OK;
     });
@@ -187,7 +184,7 @@ sinew_status sinew_scene_text(sinew_simulation simulation, const char** json) {
 
 sinew_status sinew_set(sinew_simulation simulation, const char* override_pair) {
     if (!override_pair) return null_argument();
-    return change(simulation, [&](Session& session) {
+    return change_own(simulation, [&](Session& session) {
         const std::array<Override, 1> overrides = {{{override_pair}}};
         auto edited = play::edited(session.scene(), overrides);
         if (const auto status = keep_diagnostics(edited.diagnostics)) return status;

@@ -8,7 +8,6 @@
 #include "player/play.h"
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,9 +26,10 @@ struct Drawn {
 
 struct UserData; // native/user_data.cpp
 
-/// A simulation: a session of its own, or one of a player's panes.
+/// A simulation: a session of its own, one that is lent for the length of a call, or one of a player's panes.
 struct Simulation {
     std::optional<Session> own;
+    Session* lent = nullptr;
     play::Play* player = nullptr; ///< outlives the simulation
     std::size_t pane = 0;
     Drawn drawn{};
@@ -39,12 +39,17 @@ struct Simulation {
     std::vector<double> numbers{};         ///< last column of computed numbers handed out
     std::vector<sinew_contact> contacts{}; ///< as last counted
     std::shared_ptr<UserData> user_data{}; ///< none before the first
-    /// Takes steps with the caller's filter of contacts; none: all contacts act.
-    std::function<void(const Session&, const std::function<void()>& steps)> filtered{};
+    struct Filter {
+        sinew_contact_filter ask = nullptr;
+        void* context = nullptr;
+    };
+    Filter filter{};        ///< of contacts, by the caller
     bool is_asking = false; ///< a callback of the caller's is running
 
-    /// Null if the player has no such pane.
+    /// Null if the player has no such pane, and for one that is lent between calls.
     const Session* session() const;
+    /// The session that the caller may change; null: a player's.
+    Session* changeable() { return own ? &*own : lent; }
 };
 
 Handles<Simulation>& simulations();
@@ -63,9 +68,18 @@ template <class Work> sinew_status read(sinew_simulation handle, const Work& wor
 template <class Work> sinew_status change(sinew_simulation handle, const Work& work) {
     auto* simulation = simulations().find(handle.id);
     if (!simulation || !simulation->session()) return bad_handle();
-    if (!simulation->own) return fail(SINEW_READ_ONLY, "the simulation belongs to a player, which alone may change it");
+    auto* session = simulation->changeable();
+    if (!session) return fail(SINEW_READ_ONLY, "the simulation belongs to a player, which alone may change it");
     if (simulation->is_asking) return callback_is_running();
-    return work(*simulation->own);
+    return work(*session);
+}
+
+/// The same for changes that only the owner of the session may make: steps, another scene.
+template <class Work> sinew_status change_own(sinew_simulation handle, const Work& work) {
+    const auto* simulation = simulations().find(handle.id);
+    if (simulation && simulation->lent)
+        return fail(SINEW_READ_ONLY, "the player of the level takes the steps, and opens the scenes");
+    return change(handle, work);
 }
 
 inline Point point_of(const sinew_point& point) {

@@ -334,9 +334,11 @@ typedef struct sinew_pending_contact {
 /* Returns 0 for a contact that is not to act in this substep; it is then no touch. Must not change the simulation that
  * calls it, for which SINEW_READ_ONLY is returned; user data may be read. */
 typedef int (*sinew_contact_filter)(void* context, sinew_pending_contact* contact);
-/* Null: all contacts act. The filter is asked in every substep of sinew_step and sinew_run_until, in the order of rows
- * and in the caller's thread, which then takes the steps alone: the same answers give the same bits. Not asked are
- * faces of cloth, sensors, and classic mode; what sleeps is not asked about. Copies have no filter. */
+/* Null: all contacts act. The filter is asked before a contact acts, in every substep of sinew_step and
+ * sinew_run_until, about planes, colliders, sensors, figures and cloth, in the order of the solver and in the caller's
+ * thread, which then takes the steps alone: the same answers give the same bits. A rope that is solved at once is asked
+ * about once a step and wall; layers of thin cloth, which never cross, and what sleeps are not asked about. Copies have
+ * no filter. */
 SINEW_PROGRAM_API sinew_status sinew_set_contact_filter(sinew_simulation simulation, sinew_contact_filter filter,
                                                         void* context);
 
@@ -467,6 +469,29 @@ SINEW_API sinew_status sinew_point_at(sinew_simulation simulation, sinew_point a
 /* Cuts every distance that crosses the line, as seen in the scene's own view; `count` (may be null) is the number cut.
  */
 SINEW_API sinew_status sinew_cut(sinew_simulation simulation, sinew_point from, sinew_point to, uint32_t* count);
+
+/* --- characters and cars ----------------------------------------------------------------------------------------- */
+
+/* Controls of a figure of the prefab "character" or "car", in every step until they are changed. */
+typedef struct sinew_controls {
+    uint32_t struct_size;
+    uint32_t jump; /* 1: a character jumps whenever it is on the ground; a car brakes */
+    uint32_t hold; /* 1: a character reaches for ropes and planks, and holds on */
+    uint32_t reserved;
+    double along; /* -1 to 1: walks, drives, to the left or to the right */
+    double up;    /* -1 to 1: climbs; a car in the air lifts its front */
+} sinew_controls;
+/* Null: controls of the scene's events again. Controls, and parameters of figures that are not of the scene, are no
+ * part of a snapshot. SINEW_BAD_ARGUMENT for a figure that has no controls. */
+SINEW_API sinew_status sinew_steer(sinew_simulation simulation, uint32_t figure, const sinew_controls* controls);
+
+typedef struct sinew_footing {
+    uint32_t on_ground;  /* 1: a character stands or walks */
+    uint32_t is_holding; /* 1: it hangs on a rope or a plank */
+    uint32_t figure;     /* the ground's, or the held one's; ~0: a collider, a plane, or nothing */
+} sinew_footing;
+/* Footing of a character after the last step. */
+SINEW_API sinew_status sinew_get_footing(sinew_simulation simulation, uint32_t figure, sinew_footing* footing);
 
 /* --- picture ----------------------------------------------------------------------------------------------------- */
 
@@ -803,8 +828,28 @@ typedef void (*sinew_parallel)(void* context, void (*task)(void* task_context, u
                                uint32_t count);
 /* Null: the library's own threads. Results do not depend on it. */
 SINEW_PROGRAM_API void sinew_set_parallel(sinew_parallel parallel, void* context);
+/* The same for a task system with handles: `enqueue` begins task(task_context, index) on any thread and returns a
+ * handle, or calls it at once and returns null; `finish` waits until the task of a handle is done. */
+typedef void* (*sinew_enqueue)(void* context, void (*task)(void* task_context, uint32_t index), void* task_context,
+                               uint32_t index);
+typedef void (*sinew_finish)(void* context, void* handle);
+/* Both null: the library's own threads. SINEW_BAD_ARGUMENT if one is null. */
+SINEW_PROGRAM_API sinew_status sinew_set_task_system(sinew_enqueue enqueue, sinew_finish finish, void* context);
 /* Threads of a simulation; 0: as many as there are cores. 1 never starts any. */
 SINEW_PROGRAM_API sinew_status sinew_set_threads(sinew_simulation simulation, uint32_t threads);
+/* Instruction set of a simulation: "one", "sse2", "avx2", "avx512", "neon"; null: the best, as sinew_simd() has it.
+ * Results do not depend on it. SINEW_NOT_FOUND for one that the processor or the library has not. */
+SINEW_PROGRAM_API sinew_status sinew_set_simd(sinew_simulation simulation, const char* name);
+
+/* Memory of the library. `alignment` is a power of 2; null fails. `release` gets the size that was asked for. Both may
+ * be called by any thread that steps. */
+typedef void* (*sinew_allocate_function)(void* context, size_t size, size_t alignment);
+typedef void (*sinew_release_function)(void* context, void* memory, size_t size);
+/* Null: malloc and free. Blocks go back to where they came from, so the allocator may change at any time. Steps of a
+ * world that is not edited allocate nothing. A program that is linked with the archive libsinew.a has the allocator
+ * for all of its C++. */
+SINEW_PROGRAM_API sinew_status sinew_set_allocator(sinew_allocate_function allocate, sinew_release_function release,
+                                                   void* context);
 
 #ifdef __cplusplus
 }

@@ -4,7 +4,9 @@
 #include "sinew/prefab/balls.h"
 #include "sinew/prefab/box.h"
 #include "sinew/prefab/bridge.h"
+#include "sinew/prefab/car.h"
 #include "sinew/prefab/chain.h"
+#include "sinew/prefab/character.h"
 #include "sinew/prefab/cloth.h"
 #include "sinew/prefab/crank.h"
 #include "sinew/prefab/curtain.h"
@@ -39,8 +41,9 @@
 namespace sinew {
 
 /// The list of prefabs. A new prefab is one new pair of files and one word in this list.
-using Prefabs = TypeList<Polygon, Box, Ball, Balls, Wheel, Tire, Jelly, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh,
-                         Curtain, Spiderweb, Tree, Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll>;
+using Prefabs =
+    TypeList<Polygon, Box, Ball, Balls, Wheel, Tire, Jelly, Rope, Chain, Swing, Bridge, Crank, Cloth, Mesh, Curtain,
+             Spiderweb, Tree, Formation, StickFigure, Limb, Humanoid, Puppet, Ragdoll, Character, Car>;
 
 namespace detail {
 template <class List> struct VariantOf;

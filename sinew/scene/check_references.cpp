@@ -289,6 +289,20 @@ template <int D, class Real> class ReferenceCheck {
     void event(const AddEvent& more, std::size_t i) {
         if (!find_figure(world_, more.figure)) unknown_figure(more.figure, under("events", i, "add"));
     }
+    void event(const SteerEvent& steer, std::size_t i) {
+        const auto place = under("events", i, "steer");
+        const auto found =
+            std::ranges::find(scene_.figures, steer.figure, [](const auto& one) { return name_of(one); });
+        if (found == scene_.figures.end()) return unknown_figure(steer.figure, place);
+        bool can = false;
+        detail::visit_held(found->made, [&]<class Made>(const Made&) {
+            can = std::is_same_v<Made, Character> || std::is_same_v<Made, Car>;
+        });
+        if (!can)
+            document_.error(place, format_text("\"{}\" has no controls", steer.figure),
+                            "an event steers figures of the prefabs character and car");
+        if (scene_.events[i].on) document_.error(place, "a contact does not steer", "give the event a time: \"at\"");
+    }
     void event(const ColliderEvent& change, std::size_t i) {
         const auto place = under("events", i, "collider");
         const auto section = std::ranges::find(scene_.colliders, change.collider, &ColliderSection::name);

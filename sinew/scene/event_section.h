@@ -297,6 +297,34 @@ struct SetEvent {
     }
 };
 
+/// Controls of a character or a car for some time; absent members keep those of events before.
+struct SteerEvent {
+    static constexpr std::string_view name = "steer";
+    static constexpr std::string_view about =
+        "Controls of a character or a car while the event lasts; the player's keys take over.";
+    std::string figure;
+    std::optional<double> along, up;
+    std::optional<bool> jump, hold;
+    double duration = 1;
+
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit(self.figure, Field{.name = "steer", .help = "Figure of the prefab character or car", .required = true});
+        visit(self.along,
+              Field{.name = "along",
+                    .help = "Share of the speed at which it walks or drives: 1 to the right, -1 to the left",
+                    .low = -1,
+                    .high = 1});
+        visit(self.up, Field{.name = "up",
+                             .help = "Share of the speed at which a character climbs; a car in the air leans back by "
+                                     "this share of its torque",
+                             .low = -1,
+                             .high = 1});
+        visit(self.jump, Field{.name = "jump", .help = "A character jumps whenever it is on the ground; a car brakes"});
+        visit(self.hold, Field{.name = "hold", .help = "A character reaches for ropes and planks, and holds on"});
+        visit(self.duration, Field{.name = "duration", .help = "Duration", .unit = unit::time, .low = 0, .high = 1e9});
+    }
+};
+
 /// A comment in the log of a scene: a goal, a round.
 struct NoteEvent {
     static constexpr std::string_view name = "note";
@@ -344,7 +372,7 @@ struct EventSection {
     double every = 0;
     int times = 0;
     std::variant<GrabEvent, ReleaseEvent, ImpulseEvent, KickEvent, GustEvent, CutEvent, RemoveEvent, JoinEvent,
-                 AdjustEvent, ResizeEvent, SetEvent, AddEvent, ColliderEvent, NoteEvent>
+                 AdjustEvent, ResizeEvent, SetEvent, AddEvent, ColliderEvent, SteerEvent, NoteEvent>
         event;
 
     /// Time of the first occurrence, or before which no contact counts.

@@ -50,7 +50,8 @@ template <int D, class Real> class WorldBuilder {
         FigureIndex figure = no_figure;
         detail::visit_held(section.made, [&](const auto& made) { figure = build_figure(made, name, section); });
         SINEW_ASSERT(has_figure(world_, figure), "a section of the scene makes a figure");
-        world_.figures[figure].direct = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
+        if (auto& own = world_.figures[figure].direct; !section.direct.empty() || own == Direct::automatic)
+            own = direct(section.direct.empty() ? scene_.solver.direct : section.direct);
         if (!section.integrator.empty()) world_.figures[figure].integrator = integrator_called(section.integrator);
         world_.figures[figure].internal_damping = section.internal_damping;
         touch(figure, section.contact);

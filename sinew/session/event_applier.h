@@ -67,6 +67,8 @@ template <class WorldT> struct EventApplier {
     }
 
     std::string operator()(const NoteEvent& note) const { return note.text; }
+    /// Only for the log: Steering reads the scene's events by their times.
+    std::string operator()(const SteerEvent& steer) const { return steer.figure; }
 
     std::string operator()(const RemoveEvent& removal) const {
         std::vector<ConstraintId> ids;

@@ -4,6 +4,7 @@
 #include "sinew/world/edit.h"
 
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace sinew {
@@ -74,6 +75,71 @@ template <class WorldT> class Transplant {
     }
 };
 
+/// True for figures whose particles and constraints are the same but for their state: limits that a motor has moved may
+/// differ.
+template <class WorldT>
+bool has_same_parts(const WorldT& old, const Figure& was, const WorldT& fresh, const Figure& is) {
+    for (std::size_t i = 0; i < is.particles.size(); ++i) {
+        const auto from = row_of(old, was.particles[i]), to = row_of(fresh, is.particles[i]);
+        if (!from || !to) continue;
+        const auto &a = old.particles, &b = fresh.particles;
+        if (a.inverse_mass[*from] != b.inverse_mass[*to] || a.radius[*from] != b.radius[*to]) return false;
+    }
+    for (std::size_t i = 0; i < is.constraints.size(); ++i) {
+        const auto before = was.constraints[i], after = is.constraints[i];
+        if (before.kind != after.kind) return false;
+        bool same = true;
+        visit_table(old, before.kind, [&]<class Table>(const Table& table) {
+            const auto& other = std::get<Table>(fresh.constraints);
+            const auto from = table.handles.find(before.id), to = other.handles.find(after.id);
+            if (!from || !to) return;
+            same = table.compliance[*from] == other.compliance[*to] &&
+                   (table.motorized[*from] ||
+                    (table.low(*from) == other.low(*to) && table.high(*from) == other.high(*to)));
+        });
+        if (!same) return false;
+    }
+    return true;
+}
+
+/// Rows of the particles of no figure.
+template <class WorldT> std::vector<Row> loose_rows(const WorldT& world) {
+    std::vector<Row> rows;
+    for (Row row = 0; row < world.particles.size(); ++row)
+        if (world.particles.figure[row] == no_figure) rows.push_back(row);
+    return rows;
+}
+
+template <class WorldT> void carry_loose(const WorldT& old, WorldT& fresh) {
+    const auto from = loose_rows(old), to = loose_rows(fresh);
+    if (from.size() != to.size()) return;
+    for (std::size_t i = 0; i < to.size(); ++i) {
+        const auto& source = old.particles;
+        auto& target = fresh.particles;
+        target.position[to[i]] = source.position[from[i]];
+        target.previous[to[i]] = source.previous[from[i]];
+        target.velocity[to[i]] = source.velocity[from[i]];
+        target.residual[to[i]] = source.residual[from[i]];
+        target.at_end[to[i]] = source.at_end[from[i]];
+    }
+}
+
+template <class WorldT>
+void carry_built(const WorldT& old, std::size_t described, WorldT& fresh, std::size_t described_now) {
+    std::vector<ParticleId> gone;
+    std::vector<ConstraintId> cut;
+    for (std::size_t i = described_now; i < fresh.figures.size(); ++i) {
+        const auto known = find_figure(old, fresh.figures[i].name);
+        if (!known || *known < described) continue;
+        const auto& was = old.figures[*known];
+        Transplant figure(old, was, fresh, fresh.figures[i]);
+        if (figure.fits() && has_same_parts(old, was, fresh, fresh.figures[i])) figure.carry(gone, cut);
+    }
+    carry_loose(old, fresh);
+    if (!cut.empty()) remove_constraints(fresh, std::span<const ConstraintId>(cut));
+    if (!gone.empty()) remove_particles(fresh, std::span<const ParticleId>(gone));
+}
+
 const FigureSection* section_of(const Scene& scene, std::size_t figure) {
     return figure < scene.figures.size() ? &scene.figures[figure] : nullptr;
 }
@@ -110,6 +176,15 @@ void migrate_state(const Scene& scene, const AnyWorld& world, const Scene& edite
             if (const auto* from = std::get_if<WorldT>(&world)) carry_all(scene, *from, edited, into);
         },
         fresh);
+}
+
+void migrate_built(const BuiltWorld<const AnyWorld>& from, const BuiltWorld<AnyWorld>& into) {
+    std::visit(
+        [&]<class WorldT>(WorldT& fresh) {
+            if (const auto* old = std::get_if<WorldT>(&from.world))
+                carry_built(*old, from.described, fresh, into.described);
+        },
+        into.world);
 }
 
 } // namespace sinew

@@ -2,10 +2,22 @@
 
 #include "sinew/scene/scene.h"
 
+#include <cstddef>
+
 namespace sinew {
 
 /// Copies state into the world of an edited scene: the clock and, for every figure described identically in both
 /// scenes, positions, velocities and removals. No effect if the worlds differ in dimension or precision.
 void migrate_state(const Scene& scene, const AnyWorld& world, const Scene& edited, AnyWorld& fresh);
+
+/// A world, and its number of figures that the scene describes; the others are built by code (level.h).
+template <class WorldT> struct BuiltWorld {
+    WorldT& world;
+    std::size_t described = 0;
+};
+
+/// The same for the figures that code has built: those of the same name whose particles and constraints are the same,
+/// and particles of no figure if there are as many as before.
+void migrate_built(const BuiltWorld<const AnyWorld>& from, const BuiltWorld<AnyWorld>& into);
 
 } // namespace sinew

@@ -47,13 +47,23 @@ void Session::quicken(double by) {
 }
 
 void Session::become(Scene scene) {
+    become(std::move(scene), level_);
+}
+
+void Session::become(Scene scene, std::shared_ptr<Level> level) {
     let_go();
     auto fresh = instantiate(scene);
     migrate_state(scene_, world_, scene, fresh);
     const AnyWorld old = std::exchange(world_, std::move(fresh));
+    const auto described = scene_.figures.size();
     scene_ = std::move(scene);
+    level_ = std::move(level);
     skip_past_events();
     find_driven();
+    const auto memory = std::move(level_memory_);
+    build_level();
+    if (memory.size() == level_memory_.size()) level_memory_ = memory;
+    if (level_) migrate_built({old, described}, {world_, scene_.figures.size()});
     keep_going(old);
     if (!history_.is_of(scene_)) history_.restart(scene_, world_);
 }

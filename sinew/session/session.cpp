@@ -65,10 +65,11 @@ Session::~Session() = default;
 
 void Session::restart() {
     world_ = instantiate(scene_);
+    find_driven();
+    build_level();
     islands_.clear();
     note_parted();
     plan_events();
-    find_driven();
     hand_.reset();
     stroke_.reset();
     taken_over_ = false;
@@ -78,6 +79,19 @@ void Session::restart() {
     happenings_.clear();
     happening_count_ = 0;
     history_.restart(scene_, world_);
+}
+
+void Session::play(std::shared_ptr<Level> level) {
+    level_ = std::move(level);
+    restart();
+}
+
+void Session::build_level() {
+    level_memory_.assign(level_ ? level_->memory() : 0, std::byte{});
+    steering_.restart();
+    if (!level_) return;
+    set_contact_filter({}); // that of the code before
+    level_->build(*this);
 }
 
 double Session::seconds() const {
@@ -98,6 +112,14 @@ void Session::set_options(const SolverOptions& options) {
     set_reports(reports);
 }
 
+SolverOptions Session::options() const {
+    return std::visit([](const auto& solver) { return solver.options; }, solver_);
+}
+
+void Session::set_contact_filter(const ContactFilter& filter) {
+    std::visit([&](auto& solver) { solver.options.contact_filter = filter; }, solver_);
+}
+
 void Session::set_reports(const SolverReports& reports) {
     std::visit([&](auto& solver) { solver.reports = reports; }, solver_);
 }
@@ -112,6 +134,8 @@ void Session::step() {
     still_gusts();
     drive();
     winder_.run(scene_, world_);
+    if (level_) level_->step(*this);
+    steering_.run(scene_, world_);
     grabs_.carry(world_, dt);
     const auto frozen = freeze_hovered();
     if (hand_) hand_->carry(world_);
@@ -122,6 +146,7 @@ void Session::step() {
             if (frozen) unpin(world, *frozen);
         },
         world_);
+    if (level_) level_->stepped(*this);
     note_events();
     happen_on_contact();
     history_.record(scene_, world_);

@@ -6,8 +6,10 @@
 #include "sinew/session/driver.h"
 #include "sinew/session/event_grabs.h"
 #include "sinew/session/history.h"
+#include "sinew/session/level.h"
 #include "sinew/session/motors.h"
 #include "sinew/session/pointer_grab.h"
+#include "sinew/session/steering.h"
 #include "sinew/session/stroke.h"
 #include "sinew/session/view.h"
 #include "sinew/solver/solver.h"
@@ -15,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -72,6 +75,9 @@ class Session {
     AnyWorld& world() { return world_; }
     /// Goes on with a new solver, with these options. Results do not depend on solver or options.
     void set_options(const SolverOptions& options);
+    SolverOptions options() const;
+    /// Asks the program about contacts from now on (contact_filter.h); an empty filter: all act.
+    void set_contact_filter(const ContactFilter& filter);
     /// Reports of the solver, from now on.
     void set_reports(const SolverReports& reports);
     /// Prepares the world for the first step, which otherwise does so: Solver::prepare.
@@ -79,6 +85,17 @@ class Session {
 
     /// Returns to the scene's initial state.
     void restart();
+
+    /// Begins anew with code beside the scene; null: without. Copies share the code, and snapshots have none.
+    void play(std::shared_ptr<Level> level);
+    const std::shared_ptr<Level>& level() const { return level_; }
+    /// Goes on with other code, as `become` does with another scene: figures whose parts are the same keep their state.
+    void become(Scene scene, std::shared_ptr<Level> level);
+    /// Controls of characters and cars, for the next steps.
+    Steering& steering() { return steering_; }
+    const Steering& steering() const { return steering_; }
+    /// Memory of the level's code, a part of the session's state.
+    std::span<std::byte> level_memory() { return level_memory_; }
 
     /// Advances by one step of the scene's rate: applies due events, then steps the world.
     void step();
@@ -143,7 +160,8 @@ class Session {
     /// compile until listed. Whoever writes calls is_sound() afterwards.
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [scene, world, solver, images, focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to,
-               taken_over, grabs, collider_moves, blowing, history, islands, happenings, happening_count] = self;
+               taken_over, grabs, collider_moves, blowing, history, islands, happenings, happening_count, level,
+               level_memory, steering] = self;
         visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, collider_moves,
               blowing, history, islands, happenings, happening_count);
     }
@@ -174,6 +192,7 @@ class Session {
     };
 
     void find_driven();
+    void build_level();
     void drive();
     /// A future occurrence of an event.
     struct Due {
@@ -233,6 +252,9 @@ class Session {
     std::vector<std::size_t> islands_; ///< per figure, as last noted
     std::vector<SessionEvent> happenings_;
     std::size_t happening_count_ = 0;
+    std::shared_ptr<Level> level_; ///< none: the scene alone
+    std::vector<std::byte> level_memory_;
+    Steering steering_;
 };
 
 } // namespace sinew

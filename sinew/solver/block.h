@@ -40,6 +40,14 @@ template <int D> struct BlockNode {
     Vec<D, double> residual{}, displacement{};
 };
 
+/// Answer of the program's filter about a particle of a block and a wall, for the rest of a step.
+struct WallAnswer {
+    Row particle = 0;
+    std::uint32_t wall = 0; ///< index of a collider, or of a plane after all colliders
+    bool is_admitted = true;
+    double friction = 0, restitution = 0;
+};
+
 /// A measure constrained to [low, high], and the multiplier while a solve runs.
 struct BlockLimit {
     Row constraint = 0;
@@ -271,6 +279,7 @@ template <int D> struct Blocks {
     Programs<D> programs; ///< other blocks of `list` that are solved side by side
 
     // Work space of a step.
+    std::vector<WallAnswer> answers;             ///< of the program's filter of contacts
     std::vector<std::uint32_t> pin_of, next_pin; ///< first pin of each particle, next pin of the same particle
 
     Elimination elimination;

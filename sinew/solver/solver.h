@@ -2,6 +2,7 @@
 
 #include "sinew/solver/block.h"
 #include "sinew/solver/collider_touches.h"
+#include "sinew/solver/contact_filter.h"
 #include "sinew/solver/profile.h"
 #include "sinew/solver/sweep_state.h"
 
@@ -25,6 +26,10 @@ struct WindAreas;
 struct SolverOptions {
     int threads = 0;         ///< threads of a step; 0: the number of cores. Results do not depend on the number
     Simd simd = best_simd(); ///< instruction set of the kernels. Results do not depend on it
+    ContactFilter contact_filter{};
+
+    /// Threads that a step may use: one while a filter is asked.
+    int threads_wanted() const { return contact_filter ? 1 : threads; }
 };
 
 /// Reports of a solver to its owner; a copy of a solver makes none.

@@ -1,4 +1,3 @@
-#include "sinew/solver/contact_hook.h"
 #include "sinew/solver/worker_pool.h"
 
 namespace sinew {
@@ -27,7 +26,7 @@ int WavefrontScheduler::next_from(int stage) {
 
 int threads_for(std::size_t particles, int wanted) {
     constexpr std::size_t worth_it = 4096;
-    if (particles < worth_it || detail::contact_hook()) return 1;
+    if (particles < worth_it) return 1;
     return wanted > 0 ? wanted : hardware_threads();
 }
 

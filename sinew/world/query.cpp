@@ -26,13 +26,20 @@ template <int D, class Real> void keep_first(std::optional<RayHit<D, Real>>& fir
     if (!first || hit.time < first->time) first = hit;
 }
 
+/// False for the mover itself, and for figures that it does not touch.
+template <int D, class Real> bool counts(const World<D, Real>& world, FigureIndex figure, FigureIndex mover) {
+    if (!has_figure(world, mover)) return true;
+    return figure != mover && has_figure(world, figure) && world.figures[mover].collides &&
+           world.figures[figure].collides;
+}
+
 template <int D, class Real>
 void cast_at_lines(const World<D, Real>& world, const Vec<D, Real>& from, const Vec<D, Real>& displacement, Real radius,
-                   const collide::Filter& filter, std::optional<RayHit<D, Real>>& first) {
+                   const collide::Filter& filter, FigureIndex mover, std::optional<RayHit<D, Real>>& first) {
     const auto& p = world.particles;
     for (FigureIndex i = 0; i < world.figures.size(); ++i) {
         const auto& figure = world.figures[i];
-        if (!figure.in_use() || !touch(filter, figure.filter)) continue;
+        if (!figure.in_use() || !counts(world, i, mover) || !touch(filter, figure.filter)) continue;
         BodyShape<D, Real>(world, figure).each_segment([&](Row a, Row b, Real thickness) {
             const collide::Capsule<D, Real> line{{}, p.position[b] - p.position[a], thickness};
             if (const auto impact = collide::sweep(line, from - p.position[a], displacement, radius))
@@ -81,11 +88,13 @@ std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>& world, const
 
 template <int D, class Real>
 std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from,
-                                        const Vec<D, Real>& displacement, Real radius, collide::Filter filter) {
+                                        const Vec<D, Real>& displacement, Real radius, collide::Filter filter,
+                                        FigureIndex mover) {
     std::optional<RayHit<D, Real>> first;
     const auto& p = world.particles;
     for (Row row = 0; row < p.size(); ++row) {
         if (!(p.radius[row] > Real(0)) || !touch(filter, layers_of(world, row))) continue;
+        if (!counts(world, p.figure[row], mover)) continue;
         const collide::Sphere<D, Real> sphere{p.radius[row]};
         if (const auto impact = collide::sweep(sphere, from - p.position[row], displacement, radius))
             keep_first(first, {.time = impact->time,
@@ -94,7 +103,7 @@ std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D
                                .particle = p.handles.id_of(row),
                                .figure = p.figure[row]});
     }
-    cast_at_lines(world, from, displacement, radius, filter, first);
+    cast_at_lines(world, from, displacement, radius, filter, mover, first);
     for (Row row = 0; row < world.colliders.size(); ++row) {
         const auto& collider = world.colliders[row];
         if (collider.is_sensor || !touch(filter, collider.filter)) continue;
@@ -161,7 +170,7 @@ std::vector<FigureIndex> overlapping_figures(const World<D, Real>& world, const 
     template std::optional<NearParticle<D, Real>> nearest_particle(const World<D, Real>&, const Vec<D, Real>&, Real);  \
     template std::optional<NearLink<D, Real>> nearest_link(const World<D, Real>&, const Vec<D, Real>&, Real);          \
     template std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>&, const Vec<D, Real>&, const Vec<D, Real>&,  \
-                                                     Real, collide::Filter);                                           \
+                                                     Real, collide::Filter, FigureIndex);                              \
     template std::vector<ParticleId> overlapping_particles(const World<D, Real>&, const collide::Shape<D, Real>&,      \
                                                            const collide::Pose<D, Real>&);                             \
     template std::vector<ConstraintId> overlapping_links(const World<D, Real>&, const collide::Shape<D, Real>&,        \

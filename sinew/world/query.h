@@ -39,10 +39,12 @@ template <int D, class Real> struct RayHit {
 };
 /// First particle with a radius, line of a figure as it is drawn (the side of a crate, a limb), collider other than a
 /// sensor, or plane of World::bounds that a sphere meets on its way from a point; radius 0 is a ray. Only what `filter`
-/// touches counts, and planes always do.
+/// touches counts, and planes always do. `mover`: the figure in whose place the sphere moves; neither it nor figures
+/// that it does not touch count.
 template <int D, class Real>
 std::optional<RayHit<D, Real>> cast_ray(const World<D, Real>& world, const Vec<D, Real>& from,
-                                        const Vec<D, Real>& displacement, Real radius = 0, collide::Filter filter = {});
+                                        const Vec<D, Real>& displacement, Real radius = 0, collide::Filter filter = {},
+                                        FigureIndex mover = no_figure);
 
 /// Particles that touch a shape, in the order of their rows.
 template <int D, class Real>

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static sinew_simulation created(void) {
@@ -214,6 +215,130 @@ static void hooks_are_called(void) {
     sinew_set_parallel(NULL, NULL);
 }
 
+/* A task system that runs each task when it is waited for: handles are its numbers, from 1. */
+struct waiting {
+    void (*task)(void*, uint32_t);
+    void* context;
+    uint32_t index;
+};
+static struct waiting waiting[64];
+static size_t waiting_count, finished_count;
+static void* enqueue(void* context, void (*task)(void*, uint32_t), void* task_context, uint32_t index) {
+    ++*(int*)context;
+    waiting[waiting_count % 64] = (struct waiting){task, task_context, index};
+    return &waiting[waiting_count++ % 64];
+}
+static void finish(void* context, void* handle) {
+    const struct waiting* one = handle;
+    (void)context;
+    one->task(one->context, one->index);
+    ++finished_count;
+}
+static void tasks_are_enqueued_and_finished(void) {
+    int enqueued = 0;
+    const uint64_t alone = hash_of_a_cloth(1);
+    CHECK(sinew_set_task_system(enqueue, NULL, NULL) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_set_task_system(enqueue, finish, &enqueued) == SINEW_OK);
+    CHECK(hash_of_a_cloth(4) == alone && enqueued > 0 && finished_count == (size_t)enqueued);
+    CHECK(sinew_set_task_system(NULL, NULL, NULL) == SINEW_OK);
+    const int before = enqueued;
+    CHECK(hash_of_a_cloth(1) == alone && enqueued == before);
+}
+
+/* The instruction set is a simulation's own, and changes no bit. */
+static void instruction_sets_agree(void) {
+    const char* const names[] = {"one", "sse2", "neon", "avx2", "avx512"};
+    uint64_t first = 0, hash = 0;
+    int tried = 0;
+    for (int i = 0; i < 5; ++i) {
+        const sinew_simulation world = created();
+        const sinew_status status = sinew_set_simd(world, names[i]);
+        CHECK(status == SINEW_OK || status == SINEW_NOT_FOUND);
+        if (status == SINEW_OK) {
+            CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK && sinew_step(world, 60) == SINEW_OK);
+            CHECK(sinew_state_hash(world, &hash) == SINEW_OK && (tried == 0 || hash == first));
+            if (tried++ == 0) first = hash;
+        }
+        CHECK(sinew_close(world) == SINEW_OK);
+    }
+    const sinew_simulation world = created();
+    CHECK(tried > 0 && sinew_set_simd(world, NULL) == SINEW_OK && sinew_set_simd(world, sinew_simd()) == SINEW_OK);
+    CHECK(sinew_set_simd(world, "mmx") == SINEW_NOT_FOUND && strstr(sinew_message(), "mmx") != NULL);
+    CHECK(sinew_close(world) == SINEW_OK);
+}
+
+/* All memory comes from the caller, and goes back there; a step takes none. */
+struct counter {
+    size_t taken, released, blocks;
+    int refuses;
+};
+static void* take(void* context, size_t size, size_t alignment) {
+    struct counter* counter = context;
+    if (counter->refuses) return NULL;
+    counter->taken += size, ++counter->blocks;
+    return aligned_alloc(alignment, size);
+}
+static void give(void* context, void* memory, size_t size) {
+    struct counter* counter = context;
+    counter->released += size;
+    free(memory);
+}
+static void memory_is_the_callers(void) {
+    struct counter counter = {0};
+    CHECK(sinew_set_allocator(take, NULL, NULL) == SINEW_BAD_ARGUMENT);
+    const sinew_simulation before = created();
+    CHECK(sinew_set_allocator(take, give, &counter) == SINEW_OK);
+    const sinew_simulation world = created();
+    CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK && sinew_step(world, 60) == SINEW_OK);
+    CHECK(counter.taken > 10000 && counter.released > 0);
+    const size_t blocks = counter.blocks;
+    CHECK(sinew_step(world, 120) == SINEW_OK && counter.blocks == blocks);
+    CHECK(sinew_close(before) == SINEW_OK && sinew_close(world) == SINEW_OK);
+    CHECK(counter.taken - counter.released < 5000); /* handles, and the thread's last message */
+    CHECK(sinew_set_allocator(NULL, NULL, NULL) == SINEW_OK);
+    const size_t after = counter.blocks;
+    CHECK(sinew_close(created()) == SINEW_OK && counter.blocks == after);
+}
+
+/* A character of the C face walks at its speed and stands on the ground; a car drives. */
+static void figures_are_steered(void) {
+    const sinew_simulation world = created();
+    const sinew_collider_spec ground = {.struct_size = sizeof ground, .friction = 0.8};
+    const sinew_parameter speed[] = {{"speed", 3, NULL}};
+    const sinew_figure_spec hero = {
+        .struct_size = sizeof hero, .prefab = "character", .parameters = speed, .parameter_count = 1};
+    const sinew_figure_spec racer = {.struct_size = sizeof racer, .prefab = "car", .position = {20, 0, 0}};
+    sinew_controls controls = {.struct_size = sizeof controls, .along = 1};
+    sinew_collider id;
+    sinew_particle feet, rear;
+    sinew_particle_state state, wheel;
+    sinew_footing footing = {0};
+    uint32_t character, car, rope;
+    CHECK(sinew_add_collider(world, &ground, &id) == SINEW_OK);
+    CHECK(sinew_add_figure(world, &hero, &character) == SINEW_OK && sinew_add_figure(world, &racer, &car) == SINEW_OK);
+    CHECK(add_rope(world, NULL, NULL, 0, &rope) == SINEW_OK);
+    CHECK(sinew_step(world, 30) == SINEW_OK);
+    CHECK(sinew_steer(world, character, &controls) == SINEW_OK && sinew_steer(world, car, &controls) == SINEW_OK);
+    CHECK(sinew_step(world, 60) == SINEW_OK);
+    CHECK(sinew_get_footing(world, character, &footing) == SINEW_OK && footing.on_ground == 1);
+    CHECK(footing.is_holding == 0 && footing.figure == ~0u);
+    CHECK(sinew_find_particle(world, "character/feet", &feet) == SINEW_OK);
+    CHECK(sinew_find_particle(world, "car/rear_wheel", &rear) == SINEW_OK);
+    CHECK(sinew_get_particle(world, feet, &state) == SINEW_OK && sinew_get_particle(world, rear, &wheel) == SINEW_OK);
+    CHECK(fabs(state.velocity[0] - 3) < 0.1);
+    CHECK(wheel.velocity[0] > 2);
+    CHECK(sinew_steer(world, character, NULL) == SINEW_OK && sinew_step(world, 30) == SINEW_OK);
+    CHECK(sinew_get_particle(world, feet, &state) == SINEW_OK && fabs(state.velocity[0]) < 0.05);
+    CHECK(sinew_steer(world, rope, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_steer(world, 1u << 30, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_get_footing(world, car, &footing) == SINEW_BAD_ARGUMENT);
+    controls.along = NAN;
+    CHECK(sinew_steer(world, character, &controls) == SINEW_BAD_ARGUMENT);
+    controls.struct_size = 4;
+    CHECK(sinew_steer(world, character, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_close(world) == SINEW_OK);
+}
+
 /* A filter's caller: a platform that nothing touches. */
 struct level {
     sinew_simulation world;
@@ -370,6 +495,10 @@ int main(void) {
     user_data_belongs_to_an_object();
     everything_is_drawn();
     hooks_are_called();
+    tasks_are_enqueued_and_finished();
+    instruction_sets_agree();
+    memory_is_the_callers();
+    figures_are_steered();
     contacts_are_filtered();
     files_are_bytes();
     other_files_are_scenes();

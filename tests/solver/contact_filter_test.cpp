@@ -1,4 +1,5 @@
-#include "sinew/solver/contact_hook.h"
+#include "sinew/prefab/cloth.h"
+#include "sinew/solver/contact_filter.h"
 
 #include "tests/crates.h"
 
@@ -38,7 +39,8 @@ TEST(ContactFilter, RefusedColliderIsNotThere) {
     EXPECT_NEAR(height(kept, stone), 2.2, 0.01);
     EXPECT_NEAR(test::middle_of(kept, crate)[1], 2.35, 0.01);
 
-    const ContactFilter filter([](const PendingContact& contact) { return contact.collider != 0; });
+    auto filter = [](const PendingContact& contact) { return contact.collider != 0; };
+    world.solver.options.contact_filter = ContactFilter::of(filter);
     test::run(world, 1.2);
     EXPECT_NEAR(height(world, stone), 0.1, 0.01);
     EXPECT_NEAR(test::middle_of(world, crate)[1], 0.25, 0.01);
@@ -55,7 +57,8 @@ TEST(ContactFilter, RefusedFiguresPassThroughEachOther) {
     test::run(kept, 0.8);
     EXPECT_NEAR(test::middle_of(kept, high)[1], 0.75, 0.01);
 
-    const ContactFilter filter([](const PendingContact& contact) { return contact.other == PendingContact::none; });
+    auto filter = [](const PendingContact& contact) { return contact.other == PendingContact::none; };
+    world.solver.options.contact_filter = ContactFilter::of(filter);
     test::run(world, 0.8);
     EXPECT_NEAR(test::middle_of(world, low)[1], 0.25, 0.01);
     EXPECT_NEAR(test::middle_of(world, high)[1], 0.25, 0.01);
@@ -73,10 +76,11 @@ TEST(ContactFilter, FrictionIsThatOfTheProgram) {
         const auto crate =
             test::add_crate(world, -3, 3 * std::tan(angle) + (0.1 + 0.25) / std::cos(angle), 0.5, 1, -angle);
         const auto from = *position_of(world, stone), crate_from = test::middle_of(world, crate);
-        const ContactFilter filter([&](PendingContact& contact) {
+        auto filter = [&](PendingContact& contact) {
             contact.friction = friction;
             return true;
-        });
+        };
+        world.solver.options.contact_filter = ContactFilter::of(filter);
         test::run(world, seconds);
         const double way = friction > 0 ? 0 : 10 * std::sin(angle) * seconds * seconds / 2;
         EXPECT_NEAR(norm(test::middle_of(world, crate) - crate_from), way, 0.02) << friction;
@@ -94,10 +98,11 @@ TEST(ContactFilter, AsksInTheOrderOfRowsWhateverTheThreads) {
         for (int i = 0; i < 5000; ++i) add_stone(world, 0.3 * i, 0.09 + 0.0004 * (i % 20));
         world.solver.options.threads = threads;
         std::vector<Row> rows;
-        const ContactFilter filter([&](const PendingContact& contact) {
+        auto filter = [&](const PendingContact& contact) {
             rows.push_back(contact.particle);
             return contact.particle % 3 != 0;
-        });
+        };
+        world.solver.options.contact_filter = ContactFilter::of(filter);
         test::run(world, 1.0 / 60);
         return std::pair{rows, state_hash(world)};
     };
@@ -106,26 +111,134 @@ TEST(ContactFilter, AsksInTheOrderOfRowsWhateverTheThreads) {
     EXPECT_EQ(alone, asked(4));
 }
 
-TEST(ContactFilter, EndsWithItsScope) {
+/// Of a simulation: another one, and the same one afterwards, are not asked about.
+TEST(ContactFilter, IsAnOptionOfASimulation) {
     int asked = 0;
-    {
-        const ContactFilter outer([&](const PendingContact&) { return ++asked > 0; });
-        {
-            const ContactFilter inner([](const PendingContact&) { return false; });
-        }
-        World2 world;
-        test::add_ground(world);
-        add_stone(world, 0, 0.1);
-        test::run(world, 0.1);
-        EXPECT_GT(asked, 0);
-    }
-    const int before = asked;
+    auto filter = [&](const PendingContact&) { return ++asked > 0; };
     World2 world;
     test::add_ground(world);
     const auto stone = add_stone(world, 0, 0.1);
+    auto other = world;
+    world.solver.options.contact_filter = ContactFilter::of(filter);
+    test::run(world, 0.1);
+    EXPECT_GT(asked, 0);
+    const int before = asked;
+    test::run(other, 0.1);
+    world.solver.options.contact_filter = {};
     test::run(world, 0.1);
     EXPECT_EQ(asked, before);
     EXPECT_NEAR(height(world, stone), 0.1, 1e-3);
+}
+
+/// Everything that touches, in one world: a chain, crates, stones, a sensor.
+World2 crowded() {
+    World2 world;
+    test::add_ground(world);
+    add_slab(world, 2, 0.1);
+    add_collider(world, collide::Collider<2, double>{.shape = collide::Box<2, double>{{{2, 0.5}}},
+                                                     .target = {.position = {{0, 1}}},
+                                                     .is_sensor = true});
+    for (int i = 0; i < 5; ++i) add_stone(world, -2 + 0.7 * i, 3), test::add_crate(world, -2 + i, 4, 0.5, 1, 0.2 * i);
+    test::chain(world, 6, {{-1, 3.5}}, {{0.5, 3.5}});
+    return world;
+}
+
+/// A filter that admits all changes no bit.
+TEST(ContactFilter, ThatAdmitsAllChangesNothing) {
+    auto world = crowded(), other = world;
+    std::size_t asked = 0;
+    auto filter = [&](const PendingContact&) { return ++asked > 0; };
+    world.solver.options.contact_filter = ContactFilter::of(filter);
+    for (int i = 0; i < 120; ++i) {
+        test::step(world, 1.0 / 60), test::step(other, 1.0 / 60);
+        ASSERT_EQ(state_hash(world), state_hash(other)) << i;
+    }
+    EXPECT_GT(asked, 1000U);
+}
+
+/// A chain is solved at once: refused, it falls through a slab onto the ground.
+TEST(ContactFilter, IsAskedAboutBlocks) {
+    World2 world;
+    test::add_ground(world);
+    add_slab(world, 2);
+    const auto chain = test::chain(world, 6, {{-1, 3}}, {{1, 3}});
+    const auto lowest = [&](const World2& of) {
+        double low = 1e9;
+        for (const auto id : chain) low = std::min(low, height(of, id));
+        return low;
+    };
+    auto kept = world;
+    test::run(kept, 1.5);
+    EXPECT_FALSE(kept.solver.blocks.list.empty());
+    EXPECT_NEAR(lowest(kept), 2.1, 0.02);
+    auto filter = [](const PendingContact& contact) { return contact.collider == PendingContact::none; };
+    world.solver.options.contact_filter = ContactFilter::of(filter);
+    test::run(world, 1.5);
+    EXPECT_NEAR(lowest(world), 0, 0.02);
+    EXPECT_TRUE(
+        std::ranges::none_of(world.contacts.touching, [](const auto& touch) { return !is_plane(touch.collider); }));
+}
+
+/// A refused sensor is not touched, by a stone on its way nor by a crate around it.
+TEST(ContactFilter, IsAskedAboutSensors) {
+    for (const bool admits : {true, false}) {
+        World2 world;
+        test::add_ground(world);
+        add_collider(world, collide::Collider<2, double>{.shape = collide::Sphere<2, double>{0.05},
+                                                         .target = {.position = {{2, 0.25}}},
+                                                         .is_sensor = true});
+        add_collider(world, collide::Collider<2, double>{.shape = collide::Sphere<2, double>{0.2},
+                                                         .target = {.position = {{-2, 0.3}}},
+                                                         .is_sensor = true});
+        add_stone(world, -2, 0.6);
+        test::add_crate(world, 2, 0.25, 0.5, 1);
+        auto filter = [&](const PendingContact& contact) { return contact.collider == PendingContact::none || admits; };
+        world.solver.options.contact_filter = ContactFilter::of(filter);
+        test::run(world, 0.5);
+        const auto touched =
+            std::ranges::count_if(world.contacts.touching, [](const auto& touch) { return !is_plane(touch.collider); });
+        EXPECT_EQ(touched, admits ? 2 : 0);
+    }
+}
+
+/// A stone falls onto a level cloth that is held at its corners, or through it.
+TEST(ContactFilter, IsAskedAboutFacesOfCloth) {
+    for (const bool admits : {true, false}) {
+        test::Stepped<3, double> world;
+        test::fall(world, 10);
+        const Cloth cloth{.columns = 9, .rows = 9, .spacing = 0.1, .plane = "horizontal", .pins = "all_corners"};
+        const auto sheet = build(world, cloth, "sheet");
+        ASSERT_TRUE(sheet) << sheet.problem;
+        const auto figure = add_figure(world, "stone");
+        set_contact(world, sheet, {.figures = true});
+        set_contact(world, figure, {.figures = true});
+        Vec3<double> middle{};
+        for (const auto& position : world.particles.position) middle += position * (1 / double(world.particles.size()));
+        const auto stone = add_particle(
+            world,
+            {.position = middle + Vec3<double>{{0.02, 0.3, 0.03}}, .mass = 0.1, .radius = 0.06, .figure = figure});
+        world.figures[figure].particles.push_back(stone);
+        auto filter = [&](const PendingContact&) { return admits; };
+        world.solver.options.contact_filter = ContactFilter::of(filter);
+        test::run(world, 1);
+        const double fallen = middle[1] - (*position_of(world, stone))[1];
+        if (admits)
+            EXPECT_LT(fallen, 1);
+        else
+            EXPECT_NEAR(fallen, 5 - 0.3, 0.1);
+    }
+}
+
+/// In classic mode, too.
+TEST(ContactFilter, IsAskedInClassicMode) {
+    World2 world;
+    test::add_ground(world);
+    world.settings.mode = Mode::classic;
+    const auto stone = add_stone(world, 0, 1);
+    auto filter = [](const PendingContact&) { return false; };
+    world.solver.options.contact_filter = ContactFilter::of(filter);
+    test::run(world, 1);
+    EXPECT_LT(height(world, stone), -1);
 }
 
 /// Numbers out of range count as the nearest end of it, a NaN as 0.
@@ -133,10 +246,11 @@ TEST(ContactFilter, WrongNumbersDoNoHarm) {
     World2 world;
     test::add_ground(world);
     const auto stone = add_stone(world, 0, 0.5);
-    const ContactFilter filter([](PendingContact& contact) {
+    auto filter = [](PendingContact& contact) {
         contact.friction = std::nan(""), contact.restitution = 1e300;
         return true;
-    });
+    };
+    world.solver.options.contact_filter = ContactFilter::of(filter);
     test::run(world, 2);
     EXPECT_TRUE(std::isfinite(height(world, stone)));
     EXPECT_LE(height(world, stone), 0.51);

@@ -278,6 +278,20 @@ export interface Contact {
     speed: number;              // of approach along the normal there, before the contact acted
 }
 
+/** Controls of a figure of the prefab "character" or "car", in every step until they are changed. */
+export interface Controls {
+    along?: number;             // -1 to 1: walks, drives, to the left or to the right
+    up?: number;                // -1 to 1: climbs; a car in the air lifts its front
+    jump?: boolean;             // a character jumps whenever it is on the ground; a car brakes
+    hold?: boolean;             // a character reaches for ropes and planks, and holds on
+}
+
+export interface Footing {
+    onGround: boolean;
+    isHolding: boolean;
+    figure: number | null;      // the ground's, or the held one's; null: a collider, a plane, or nothing
+}
+
 /** A circle or sphere by its radius, or a box by half of its edges, turned by `turn` radians (in 3D about an axis, z by default). */
 export type Region =
     | { center: Point; radius: number }
@@ -413,6 +427,10 @@ export interface Simulation {
     addFigure(prefab: string, figure?: FigureSpec): number;
     /** Removes a figure with its particles. */
     removeFigure(figure: number | string): void;
+    /** Without controls the scene's events steer again. */
+    steer(figure: number | string, controls?: Controls): void;
+    /** Footing of a character after the last step. */
+    footing(figure: number | string): Footing;
     addParticle(spec: { position: Point; velocity?: Point; mass?: number; radius?: number }): ParticleId;
     removeParticle(particle: ParticleId | string): void;
     /** `low` and `high` limit the measure; without them the present measure is kept exactly. */

@@ -1,5 +1,5 @@
 import { valueText } from "./engine.js";
-import { constraintSpec, contact, particleSpec, point as pointLayout, rayHit, region } from "./layout.js";
+import { constraintSpec, contact, controls as controlsLayout, footing, particleSpec, point as pointLayout, rayHit, region } from "./layout.js";
 import { Picture } from "./picture.js";
 import { Readable } from "./readable.js";
 import { colliderSpec, figureSpec } from "./specs.js";
@@ -151,6 +151,18 @@ export class Simulation extends Readable {
     pin(particle) { return this.engine.data.id(this.ask("sinew_pin_particle", this.particle(particle))); }
     movePin(pin, target) { this.at("sinew_move_pin", pin, target); }
     unpin(pin) { this.call("sinew_unpin", pin); }
+
+    // --- characters and cars --------------------------------------------------------------------------------------
+
+    steer(figure, controls = null) {
+        const index = this.figure(figure);
+        this.engine.data.within((arena) => this.call("sinew_steer", index, controls ? arena.struct(controlsLayout, controls) : 0));
+    }
+
+    footing(figure) {
+        const { onGround, isHolding, figure: on } = this.engine.data.read(footing, this.ask("sinew_get_footing", this.figure(figure)));
+        return { onGround: onGround !== 0, isHolding: isHolding !== 0, figure: on === noFigure ? null : on };
+    }
 
     // --- pointer --------------------------------------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-#include "sinew/solver/contact_hook.h"
+#include "sinew/solver/contact_filter.h"
 
 #include "bindings/c/simulation.h"
 
@@ -32,26 +32,28 @@ template <class WorldT> sinew_pending_contact in_c(const WorldT& world, const Pe
             .bounce = contact.restitution};
 }
 
+/// Asks the caller, in whose terms the contact is; meanwhile the simulation must not be changed.
+bool ask(void* context, PendingContact& contact) {
+    auto& known = *static_cast<Simulation*>(context);
+    const auto* session = known.session();
+    if (!session || !known.filter.ask) return true;
+    auto given = std::visit([&](const auto& world) { return in_c(world, contact); }, session->world());
+    const bool before = std::exchange(known.is_asking, true);
+    const bool admits = known.filter.ask(known.filter.context, &given) != 0;
+    known.is_asking = before;
+    contact.friction = given.friction, contact.restitution = given.bounce;
+    return admits;
+}
+
 } // namespace
 
 extern "C" {
 
 sinew_status sinew_set_contact_filter(sinew_simulation simulation, sinew_contact_filter filter, void* context) {
     auto* known = simulations().find(simulation.id);
-    return change(simulation, [&](Session&) {
-        known->filtered = {};
-        if (!filter) return SINEW_OK;
-        known->filtered = [known, filter, context](const Session& session, const std::function<void()>& steps) {
-            const ContactFilter asks([&](PendingContact& contact) {
-                auto given = std::visit([&](const auto& world) { return in_c(world, contact); }, session.world());
-                const bool before = std::exchange(known->is_asking, true);
-                const bool admits = filter(context, &given) != 0;
-                known->is_asking = before;
-                contact.friction = given.friction, contact.restitution = given.bounce;
-                return admits;
-            });
-            steps();
-        };
+    return change(simulation, [&](Session& session) {
+        known->filter = {filter, context};
+        session.set_contact_filter(filter ? ContactFilter{ask, known} : ContactFilter{});
         return SINEW_OK;
     });
 }

@@ -87,6 +87,7 @@ sinew_status add_figure(Session& session, const sinew_figure_spec& spec, std::ui
     };
     if (find()) return fail(SINEW_BAD_ARGUMENT, concat("a figure is called ", in_quotes(name), " already"));
     sinew::add_figure(session.scene(), section, session.world());
+    if (const auto steered = Steering::of(section)) session.steering().know(*find(), *steered);
     if (figure) *figure = *find();
     return SINEW_OK;
 }

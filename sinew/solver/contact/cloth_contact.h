@@ -18,8 +18,8 @@ template <int D, class Real> class ClothContact {
 
     /// `number`: substep, counted from 1.
     ClothContact(const World<D, Real>& world, Solver<D, Real>& solver, Real h, int number, int substeps)
-        : world_(world), state_(solver.sweep_state), room_(contact_room(solver).cloth), h_(h), number_(number),
-          substeps_(substeps) {}
+        : world_(world), state_(solver.sweep_state), room_(contact_room(solver).cloth),
+          filter_(solver.options.contact_filter), h_(h), number_(number), substeps_(substeps) {}
 
     /// After an iteration over the links.
     void solve() {
@@ -34,6 +34,7 @@ template <int D, class Real> class ClothContact {
     const World<D, Real>& world_;
     SweepState<D, Real>& state_;
     ClothRoom<D, Real>& room_;
+    const ContactFilter& filter_;
     Real h_;
     int number_, substeps_;
 
@@ -153,6 +154,19 @@ template <int D, class Real> class ClothContact {
             }
         }
         touching.resize(count);
+        if (filter_) std::erase_if(touching, [&](const ClothPair& pair) { return !is_admitted(pair); });
+    }
+    bool is_admitted(const ClothPair& pair) const {
+        const auto &a = room_.particles[pair.first], &b = room_.particles[pair.second];
+        const auto away = a.position - b.position;
+        PendingContact contact{.particle = state_.row_of[room_.slots[pair.first]],
+                               .other = state_.row_of[room_.slots[pair.second]],
+                               .gap = double(norm(away) - room_.radius[pair.first] - room_.radius[pair.second]),
+                               .friction = double(min(a.friction, b.friction))};
+        const auto normal = direction(away);
+        contact.speed = -double(dot(normal, a.displacement - b.displacement) / h_);
+        contact.set_normal(normal);
+        return filter_.ask(contact);
     }
 
     /// Corrects two particles nearer than layers, each by its share of mobility.

@@ -66,9 +66,11 @@ template <int D, class Real> class ColliderSweep {
         Real stopped = 0;
         const auto motion = sweep_state_.displacement_at(slot) - contact.surface_displacement;
         const Real speed = -dot(surface.normal, motion) * mover_.per_h;
-        if (!collider.is_sensor) {
-            const HalfSpace<D, Real> plane{surface.normal, dot(surface.normal, surface.point)};
-            auto rub = surface_between(world_, sweep_state_.row_of[slot], collider);
+        const HalfSpace<D, Real> plane{surface.normal, dot(surface.normal, surface.point)};
+        auto rub = surface_between(world_, sweep_state_.row_of[slot], collider);
+        if (collider.is_sensor) {
+            if (!contact_.is_admitted(plane, slot, contact.surface_displacement, index, rub)) return;
+        } else {
             if (contact_.is_held(slot) && !contact_.is_admitted(plane, slot, contact.surface_displacement, index, rub))
                 return;
             stopped = contact_.keep_in(plane, rub, slot, contact.surface_displacement, contact.begun_depth, index + 1);

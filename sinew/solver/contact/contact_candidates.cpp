@@ -14,7 +14,7 @@ template <int D, class Real> class CandidateFinder {
 
     CandidateFinder(World<D, Real>& world, Solver<D, Real>& solver, Real left, Real h)
         : state_(solver.sweep_state), room_(contact_room(solver)), list_(room_.list), search_(world, room_),
-          left_(left), h_(h), threads_(threads_for(room_.particles.size(), solver.options.threads)) {}
+          left_(left), h_(h), threads_(threads_for(room_.particles.size(), solver.options.threads_wanted())) {}
 
     bool holds() {
         list_.age += h_;

@@ -29,9 +29,9 @@ template <class Real> class FaceContact {
     FaceContact(World<3, Real>& world, Solver<3, Real>& solver)
         : world_(world), solver_(solver), state_(solver.sweep_state), room_(solver.contacts->faces) {}
 
-    void find(Real near_by) {
+    void find(Real near_by, Real h) {
         room_.rows.clear(), room_.touches.clear();
-        FaceRows<Real> rows(state_, room_, near_by);
+        FaceRows<Real> rows(state_, room_, solver_.options.contact_filter, near_by, h);
         StrikeSearch<Real> search(world_, state_, room_);
         search.each_pair([&](Real radius) { return radius + near_by; },
                          [&](const StrikePair<Real>& pair) { rows.add(pair, search.motion(pair)); });
@@ -68,8 +68,9 @@ template <class Real> class FaceContact {
 
 } // namespace
 
-template <int D, class Real> void find_face_contacts(World<D, Real>& world, Solver<D, Real>& solver, Real near_by) {
-    if constexpr (D == 3) FaceContact<Real>(world, solver).find(near_by);
+template <int D, class Real>
+void find_face_contacts(World<D, Real>& world, Solver<D, Real>& solver, Real near_by, Real h) {
+    if constexpr (D == 3) FaceContact<Real>(world, solver).find(near_by, h);
 }
 template <int D, class Real> void solve_face_contacts(Solver<D, Real>& solver, Real h) {
     constexpr Softness<Real> quarter{Real(0.25), 1, 0}; // as layers of cloth: layer_push_out
@@ -80,7 +81,7 @@ template <int D, class Real> bool guard_faces(World<D, Real>& world, Solver<D, R
     auto& state = solver.sweep_state;
     auto& room = solver.contacts->faces;
     bool any = false;
-    if constexpr (D == 3) any = FaceGuard<Real>(world, state, room, max_displacement(h)).hold(cuts_only);
+    if constexpr (D == 3) any = FaceGuard<Real>(world, state, room, solver.options.contact_filter, h).hold(cuts_only);
     return any;
 }
 template <int D, class Real> void advance_face_contacts(Solver<D, Real>& solver, Real h) {
@@ -92,7 +93,7 @@ template <int D, class Real> void relax_face_contacts(World<D, Real>& world, Sol
 }
 
 #define SINEW_FACE_CONTACT(D, Real)                                                                                    \
-    template void find_face_contacts(World<D, Real>&, Solver<D, Real>&, Real);                                         \
+    template void find_face_contacts(World<D, Real>&, Solver<D, Real>&, Real, Real);                                   \
     template void solve_face_contacts(Solver<D, Real>&, Real);                                                         \
     template bool guard_faces(World<D, Real>&, Solver<D, Real>&, Real, bool);                                          \
     template void advance_face_contacts(Solver<D, Real>&, Real);                                                       \

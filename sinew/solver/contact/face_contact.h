@@ -7,8 +7,10 @@
 /// particles against faces, links against edges. Nothing crosses a face.
 namespace sinew::detail {
 
-/// After the prediction: makes the rows. `near_by`: gap at which rows begin, apart from the approach.
-template <int D, class Real> void find_face_contacts(World<D, Real>& world, Solver<D, Real>& solver, Real near_by);
+/// After the prediction: makes the rows. `near_by`: gap at which rows begin, apart from the approach. `h`: length of
+/// the substep.
+template <int D, class Real>
+void find_face_contacts(World<D, Real>& world, Solver<D, Real>& solver, Real near_by, Real h);
 /// Among the passes over the links, and after them.
 template <int D, class Real> void solve_face_contacts(Solver<D, Real>& solver, Real h);
 /// Before positions advance: nothing crosses a face in the substep. True if a displacement has changed. `cuts_only`:

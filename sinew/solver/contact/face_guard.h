@@ -12,9 +12,10 @@ namespace sinew::detail {
 /// cut short.
 template <class Real> class FaceGuard {
   public:
-    FaceGuard(const World<3, Real>& world, SweepState<3, Real>& state, FaceRoom<3, Real>& room, Real furthest)
-        : state_(state), room_(room), search_(world, state, room), rows_(state, room, Real(0)),
-          solver_(state, furthest) {}
+    FaceGuard(const World<3, Real>& world, SweepState<3, Real>& state, FaceRoom<3, Real>& room,
+              const ContactFilter& filter, Real h)
+        : state_(state), room_(room), search_(world, state, room), rows_(state, room, filter, Real(0), h),
+          solver_(state, max_displacement(h)) {}
 
     /// True if a displacement has changed. `cuts_only`: displacements only become shorter.
     bool hold(bool cuts_only) {
@@ -63,7 +64,10 @@ template <class Real> class FaceGuard {
         const double spare = near.distance - distance;
         if (spare > motion.fastest()) return;
         const auto impact = first_impact(motion, near, distance, min(0.1 * spare, 0.5 * floor));
-        if (impact.is_found) room_.hits.push_back({pair, impact});
+        Real friction = 0;
+        if (impact.is_found &&
+            rows_.is_admitted(pair, motion, impact.near, near.distance - double(pair.thickness), friction))
+            room_.hits.push_back({pair, impact});
     }
 
     void strike() {

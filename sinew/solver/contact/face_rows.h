@@ -12,9 +12,10 @@ template <class Real> class FaceRows {
     using Vector = Vec3<Real>;
     using RowT = ContactRow<3, Real>;
 
-    /// `near_by`: gap at which rows begin, apart from the approach.
-    FaceRows(const SweepState<3, Real>& state, FaceRoom<3, Real>& room, Real near_by)
-        : state_(state), room_(room), near_by_(near_by) {}
+    /// `near_by`: gap at which rows begin, apart from the approach. `h`: length of the substep.
+    FaceRows(const SweepState<3, Real>& state, FaceRoom<3, Real>& room, const ContactFilter& filter, Real near_by,
+             Real h)
+        : state_(state), room_(room), filter_(filter), near_by_(near_by), h_(h) {}
 
     /// Adds the row of a pair that may touch in the substep. The points of a slow pair are the nearest at the start,
     /// those of a fast one the nearest at the impact.
@@ -48,15 +49,32 @@ template <class Real> class FaceRows {
         if (response == Real(0) || is_known(row, pair)) return false;
         row.mass = Real(1) / response;
         row.friction = min(room_.strikers[pair.striker].friction, room_.mesh.friction[pair.vertex]);
+        if (!is_admitted(pair, motion, near, gap, row.friction)) return false;
         room_.rows.push_back(row);
         room_.touches.push_back({pair.striker, pair.vertex});
         return true;
     }
 
+    /// The program's answer about a pair, which may change the friction.
+    bool is_admitted(const StrikePair<Real>& pair, const PairMotion& motion, const NearestPoints<double>& near,
+                     double gap, Real& friction) const {
+        if (!filter_) return true;
+        PendingContact contact{.particle = state_.row_of[pair.slot[0]],
+                               .other = state_.row_of[pair.slot[pair.first_side]],
+                               .gap = gap,
+                               .speed = -dot(near.normal, motion.relative(near)) / double(h_),
+                               .friction = double(friction)};
+        contact.set_normal(near.normal);
+        const bool answer = filter_.ask(contact);
+        friction = Real(contact.friction);
+        return answer;
+    }
+
   private:
     const SweepState<3, Real>& state_;
     FaceRoom<3, Real>& room_;
-    Real near_by_;
+    const ContactFilter& filter_;
+    Real near_by_, h_;
     static constexpr double share_of_fast = 0.5;     ///< motion that counts as fast, in thicknesses
     static constexpr double impact_tolerance = 0.02; ///< in thicknesses
     static constexpr double least_side = 1e-6;       ///< distance from which there is a side, in thicknesses

@@ -29,7 +29,7 @@ template <int D, class Real> class FigureContact {
         : world_(world), solver_(solver), state_(solver.sweep_state), is_active_(has_figure_contacts(solver)), h_(h),
           from_(Real(number - 1) / Real(substeps)), to_(Real(number) / Real(substeps)),
           left_(h * Real(substeps - number + 1)), is_first_(number == 1), is_last_(number == substeps),
-          drag_changes_(number <= 2), threads_(threads_for(state_.size(), solver.options.threads)) {}
+          drag_changes_(number <= 2), threads_(threads_for(state_.size(), solver.options.threads_wanted())) {}
 
     /// After the prediction: rows, the impulses of the last substep, and rebounds.
     void begin() {

@@ -3,7 +3,6 @@
 #include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/contact/wall_surface.h"
-#include "sinew/solver/contact_hook.h"
 #include "sinew/solver/phases.h"
 #include "sinew/solver/substep_mover.h"
 
@@ -29,7 +28,8 @@ template <int D, class Real> class PlaneContact {
   public:
     PlaneContact(World<D, Real>& world, Solver<D, Real>& solver, SubstepMover<D, Real>& mover)
         : world_(world), p_(world.particles), swept_(solver.sweep_state), mover_(mover),
-          by_rows_(has_figure_contacts(solver) ? solver.contacts->by_rows.data() : nullptr) {}
+          by_rows_(has_figure_contacts(solver) ? solver.contacts->by_rows.data() : nullptr),
+          filter_(solver.options.contact_filter) {}
 
     /// Non-penetration, and Coulomb friction, which shortens the tangential displacement relative to the surface by
     /// friction times the normal correction. An approach too fast for resting contact is a blow: what is left of the
@@ -38,7 +38,7 @@ template <int D, class Real> class PlaneContact {
     Real keep_in(const HalfSpace<D, Real>& plane, Row slot, std::uint32_t collider) const {
         if (!is_held(slot)) return 0;
         auto surface = surface_between(world_, swept_.row_of[slot], plane);
-        if (hook_ && plane.depth_of(mover_.point_at(slot), p_.radius[swept_.row_of[slot]]) > Real(0) &&
+        if (filter_ && plane.depth_of(mover_.point_at(slot), p_.radius[swept_.row_of[slot]]) > Real(0) &&
             !is_admitted(plane, slot, {}, PendingContact::none, surface))
             return 0;
         return keep_in(plane, surface, slot, {}, std::nullopt, collider);
@@ -48,7 +48,7 @@ template <int D, class Real> class PlaneContact {
     /// The program's answer about a particle that a surface is about to hold, which may change how both rub and bounce.
     bool is_admitted(const HalfSpace<D, Real>& plane, Row slot, const Vec<D, Real>& surface_displacement, Row collider,
                      WallSurface<Real>& surface) const {
-        if (!hook_) return true;
+        if (!filter_) return true;
         const auto motion = swept_.displacement_at(slot) - surface_displacement;
         PendingContact contact{.particle = swept_.row_of[slot],
                                .collider = collider,
@@ -56,9 +56,8 @@ template <int D, class Real> class PlaneContact {
                                .speed = -double(dot(plane.normal, motion) * mover_.per_h),
                                .friction = double(surface.friction),
                                .restitution = double(surface.restitution)};
-        for (int k = 0; k < D; ++k) contact.normal[std::size_t(k)] = double(plane.normal[k]);
-        if (!hook_->admits(hook_->context, contact)) return false;
-        contact.clamp();
+        contact.set_normal(plane.normal);
+        if (!filter_.ask(contact)) return false;
         surface = {Real(contact.restitution), Real(contact.friction)};
         return true;
     }
@@ -120,7 +119,7 @@ template <int D, class Real> class PlaneContact {
     SweepState<D, Real>& swept_;
     SubstepMover<D, Real>& mover_;
     const char* by_rows_; ///< per slot: held by rows of contact instead
-    const ContactHook* hook_ = contact_hook();
+    const ContactFilter& filter_;
 };
 
 } // namespace sinew::detail

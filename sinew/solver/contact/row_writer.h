@@ -2,7 +2,6 @@
 
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/contact/row_solver.h"
-#include "sinew/solver/contact_hook.h"
 
 namespace sinew::detail {
 
@@ -20,13 +19,13 @@ template <int D, class Real> class RowWriter {
     ContactPart<D, Real>& part_;
     Real h_;
     RowSolver<D, Real> rows_{state_, max_displacement(h_)};
-    const ContactHook* hook_ = contact_hook();
+    const ContactFilter& filter_;
     static constexpr Real share_of_deep = Origin::share_of_deep;
     static constexpr std::size_t most_held = 256; ///< in a part: the cost of each grows with its figure
 
     RowWriter(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h)
         : world_(world), p_(world.particles), state_(solver.sweep_state), room_(contact_room(solver)), part_(part),
-          h_(h) {}
+          h_(h), filter_(solver.options.contact_filter) {}
 
     Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
@@ -65,7 +64,7 @@ template <int D, class Real> class RowWriter {
     bool admit(ContactRowT& row, Origin& origin, Real response, Real approach, Real slack) {
         if (response == Real(0) || row.gap > Real(2) * absolute(approach) + slack) return false;
         origin.approach = approach;
-        if (hook_ && !is_admitted(row, origin)) return false;
+        if (!is_admitted(row, origin)) return false;
         std::uint32_t component = 0;
         for (int i = 0; i < row.members; ++i) {
             const auto slot = row.slot[std::size_t(i)];
@@ -88,9 +87,9 @@ template <int D, class Real> class RowWriter {
         return true;
     }
 
-  private:
     /// The program's answer, which may change friction and restitution.
     bool is_admitted(ContactRowT& row, Origin& origin) const {
+        if (!filter_) return true;
         PendingContact contact{.particle = state_.row_of[row.slot[0]],
                                .gap = double(row.gap),
                                .speed = double(origin.approach / h_),
@@ -100,9 +99,8 @@ template <int D, class Real> class RowWriter {
             if (row.weight[i] < Real(0)) contact.other = state_.row_of[row.slot[i]];
         if (contact.other == PendingContact::none && origin.collider < world_.colliders.size())
             contact.collider = origin.collider;
-        for (int k = 0; k < D; ++k) contact.normal[std::size_t(k)] = double(row.normal[k]);
-        if (!hook_->admits(hook_->context, contact)) return false;
-        contact.clamp();
+        contact.set_normal(row.normal);
+        if (!filter_.ask(contact)) return false;
         row.friction = Real(contact.friction), origin.restitution = Real(contact.restitution);
         return true;
     }

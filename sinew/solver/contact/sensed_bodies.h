@@ -10,8 +10,8 @@ namespace sinew::detail {
 /// on the way are sensed within the step.
 template <int D, class Real> class SensedBodies {
   public:
-    SensedBodies(const World<D, Real>& world, ColliderTouches<D, Real>& touches)
-        : world_(world), p_(world.particles), touches_(touches) {}
+    SensedBodies(const World<D, Real>& world, ColliderTouches<D, Real>& touches, const ContactFilter& filter)
+        : world_(world), p_(world.particles), touches_(touches), filter_(filter) {}
 
     void note() {
         for (const auto& figure : world_.figures) {
@@ -28,6 +28,7 @@ template <int D, class Real> class SensedBodies {
     const World<D, Real>& world_;
     const Particles<D, Real>& p_;
     ColliderTouches<D, Real>& touches_;
+    const ContactFilter& filter_;
 
     collide::BoundingBox<D, Real> box_of(const Figure& figure) const {
         collide::BoundingBox<D, Real> box;
@@ -46,12 +47,17 @@ template <int D, class Real> class SensedBodies {
                 !collide::nearest_to_segment(collider.shape, collider.target, p_.position[a], p_.position[b], radius))
                 return;
             any = true;
-            touches_.add(a, index, Real(0));
+            add(a, index);
         });
         if (any) return;
         const auto point = point_of(collider);
         const Row row = point ? body.solid_around(*point) : body.none;
-        if (row != body.none) touches_.add(row, index, Real(0));
+        if (row != body.none) add(row, index);
+    }
+    /// A touch, unless it is known from a particle on its way, or the program refuses it.
+    void add(Row row, std::uint32_t index) {
+        PendingContact contact{.particle = row, .collider = index};
+        if (touches_.has(row, index) || filter_.ask(contact)) touches_.add(row, index, Real(0));
     }
     /// Some point of a shape that no line of the body meets: the whole shape is where the point is.
     static std::optional<Vec<D, Real>> point_of(const collide::Collider<D, Real>& collider) {

@@ -137,7 +137,7 @@ template <int D, class Real> void end_touches(World<D, Real>& world, Solver<D, R
         if (world.colliders.empty() && !lists_planes(world)) touches.begin(0, 0);
         std::swap(contacts.touching, touches.before);
         if (std::ranges::any_of(world.colliders, [](const auto& collider) { return collider.is_sensor; }))
-            detail::SensedBodies<D, Real>(world, touches).note();
+            detail::SensedBodies<D, Real>(world, touches, solver.options.contact_filter).note();
         list_touches(world, touches);
         compare(world, contacts.touching, touches.before);
         for (auto& collider : world.colliders) collider.from = collider.target;

@@ -9,7 +9,7 @@ namespace sinew::detail {
 /// Rows of contact with planes and colliders.
 template <int D, class Real> class WallRows : RowWriter<D, Real> {
     using Base = RowWriter<D, Real>;
-    using Base::add, Base::admit, Base::take, Base::position, Base::share_of_deep;
+    using Base::add, Base::admit, Base::is_admitted, Base::take, Base::position, Base::share_of_deep;
     using Base::world_, Base::h_, Base::displacement, Base::state_, Base::room_, Base::part_, Base::p_;
     using typename Base::ContactRowT;
     using typename Base::Origin;
@@ -184,7 +184,10 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         take(row, state_.slot_of[s.b], found.t);
         origin.is_one_way = collider.one_way != Vector{};
         if (origin.is_one_way && !is_held_one_way(s, row, origin, key)) return;
-        if (collider.is_sensor) return sense(row, origin);
+        if (collider.is_sensor) {
+            if (is_admitted(row, origin)) sense(row, origin);
+            return;
+        }
         add(row, origin, key);
     }
     bool is_held_one_way(const ContactSegment& s, const ContactRowT& row, const Origin& origin,

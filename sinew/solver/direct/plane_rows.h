@@ -4,6 +4,8 @@
 #include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/direct/state.h"
 
+#include <algorithm>
+
 /// Planes that hold the nodes of a block: those of the world, and one at each contact with a collider.
 namespace sinew::detail {
 
@@ -33,7 +35,9 @@ template <int D, class Real> class BlockPlanes {
             auto wall = world_.bounds[i].template as<double>();
             rub(wall, node.row, world_.bounds[i]);
             const double begun = wall.depth_of(node.start, double(world_.particles.radius[node.row]));
-            visit(eased(node, {wall, {}, lists ? std::uint32_t(world_.colliders.size() + i) : none}, begun));
+            const auto number = std::uint32_t(world_.colliders.size() + i);
+            auto plane = eased(node, {wall, {}, lists ? number : none}, begun);
+            if (is_admitted(node, plane, number, begun)) visit(plane);
         }
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
             if (!is_near(i, node, 0)) continue;
@@ -45,9 +49,10 @@ template <int D, class Real> class BlockPlanes {
             moving.contacts(node.start, node.position, double(world_.particles.radius[node.row]), 0.0,
                             [&](const auto& contact) {
                                 if (!contact.begins_in_front && !has_touched(i, node.row)) return;
+                                auto plane = eased(node, plane_of(collider, contact, i, node.row), contact.begun_depth);
+                                if (!is_admitted(node, plane, i, contact.begun_depth)) return;
                                 note(i, node.row, 0);
-                                if (!collider.is_sensor)
-                                    visit(eased(node, plane_of(collider, contact, i, node.row), contact.begun_depth));
+                                if (!collider.is_sensor) visit(plane);
                             });
         }
     }
@@ -90,6 +95,30 @@ template <int D, class Real> class BlockPlanes {
         box.include(cast<Real>(node.position));
         return touch(world_.colliders[collider].filter, filter_of(world_, node.row)) &&
                state_.touches.boxes[collider].overlaps(box.grown(world_.particles.radius[node.row] + Real(margin)));
+    }
+
+    /// The program's answer about a node that is beyond a plane, asked once a step, which may change how both rub and
+    /// bounce.
+    bool is_admitted(const BlockNode<D>& node, Plane& plane, std::uint32_t wall, double begun) const {
+        if (!state_.filter || !(depth(node, plane) > 0)) return true;
+        auto& answers = state_.blocks.answers;
+        auto known = std::ranges::find_if(
+            answers, [&](const WallAnswer& one) { return one.particle == node.row && one.wall == wall; });
+        if (known == answers.end()) known = answers.insert(answers.end(), ask(node, plane, wall, begun));
+        plane.friction = known->friction, plane.restitution = known->restitution;
+        return known->is_admitted;
+    }
+    WallAnswer ask(const BlockNode<D>& node, const Plane& plane, std::uint32_t wall, double begun) const {
+        const auto moved = node.position - node.start - plane.surface_displacement;
+        PendingContact contact{.particle = node.row,
+                               .gap = -begun,
+                               .speed = -dot(plane.normal, moved) / state_.substep(),
+                               .friction = plane.friction,
+                               .restitution = plane.restitution};
+        if (wall < world_.colliders.size()) contact.collider = wall;
+        contact.set_normal(plane.normal);
+        const bool is_admitted = state_.filter.ask(contact);
+        return {node.row, wall, is_admitted, contact.friction, contact.restitution};
     }
 
     /// The plane behind which a node is held that begins the substep `begun` deep behind a surface.

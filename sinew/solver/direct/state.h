@@ -22,7 +22,8 @@ template <int D, class Real> class BlockState {
     /// are `before` of each row.
     BlockState(World<D, Real>& of, Solver<D, Real>& solver, const Block& one, double frame,
                std::optional<double> last_substep)
-        : world(of), particles(of.particles), blocks(solver.blocks), touches(solver.touches), block(one),
+        : world(of), particles(of.particles), blocks(solver.blocks), touches(solver.touches),
+          filter(solver.options.contact_filter), block(one),
           distances_(std::get<kind_number<Distance, D>>(world.constraints)),
           angles_(std::get<kind_number<Angle, D>>(world.constraints)),
           pulleys_(std::get<kind_number<Pulley, D>>(world.constraints)), frame_(frame) {
@@ -36,6 +37,7 @@ template <int D, class Real> class BlockState {
     Particles<D, Real>& particles;
     Blocks<D>& blocks;
     ColliderTouches<D, Real>& touches;
+    const ContactFilter& filter;
     const Block& block;
 
     std::span<BlockNode<D>> nodes() const { return std::span(blocks.nodes).subspan(block.first_node, block.nodes); }

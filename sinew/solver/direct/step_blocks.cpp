@@ -156,6 +156,7 @@ template <int D> std::span<Block> part_of(Blocks<D>& blocks, int part) {
 template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, Real>& solver, Real dt, Real substep) {
     auto& blocks = solver.blocks;
     if (blocks.list.empty()) return;
+    blocks.answers.clear();
     std::fill(blocks.pin_of.begin(), blocks.pin_of.end(), Blocks<D>::none);
     for (std::uint32_t i = 0; i < world.pins.size(); ++i) {
         const auto row = world.particles.handles.find(world.pins[i].particle);
@@ -172,7 +173,7 @@ template <int D, class Real> void step_blocks(World<D, Real>& world, Solver<D, R
         step.report_tensions(double(substep));
         block.lost = step.lost();
     };
-    const int wanted = solver.options.threads > 0 ? solver.options.threads : hardware_threads();
+    const int chosen = solver.options.threads_wanted(), wanted = chosen > 0 ? chosen : hardware_threads();
     const int threads = blocks.nodes.size() < worth_a_thread ? 1 : wanted;
     const bool in_lanes = detail::serves_lanes(world);
     if (in_lanes) {

@@ -47,15 +47,16 @@ template <class Real> ClassicRules<Real> held_in_limits(ClassicRules<Real> rules
 /// Walls of classic mode: planes, and colliders as planes at each contact.
 template <int D, class Real> class ClassicWalls {
   public:
-    ClassicWalls(World<D, Real>& world, ColliderTouches<D, Real>& touches, const ClassicRules<Real>& rules, Real h)
-        : world_(world), p_(world.particles), touches_(touches), rules_(rules), h_(h) {}
+    ClassicWalls(World<D, Real>& world, ColliderTouches<D, Real>& touches, const ContactFilter& filter,
+                 const ClassicRules<Real>& rules, Real h)
+        : world_(world), p_(world.particles), touches_(touches), filter_(filter), rules_(rules), h_(h) {}
 
     /// Moves particles back onto planes and colliders.
     void keep_in() {
         const bool lists = lists_planes(world_);
         for (std::size_t i = 0; i < world_.bounds.size(); ++i)
             for (Row row = 0; row < p_.size(); ++row)
-                if (p_.mobility[row] > Real(0) && hit(world_.bounds[i], row) && lists)
+                if (p_.mobility[row] > Real(0) && strikes(world_.bounds[i], row) && hit(world_.bounds[i], row) && lists)
                     touches_.add(row, std::uint32_t(world_.colliders.size() + i), Real(0));
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) hit(world_.colliders[i], i);
     }
@@ -64,8 +65,21 @@ template <int D, class Real> class ClassicWalls {
     World<D, Real>& world_;
     Particles<D, Real>& p_;
     ColliderTouches<D, Real>& touches_;
+    const ContactFilter& filter_;
     const ClassicRules<Real>& rules_;
     Real h_;
+
+    /// The program's answer; walls of classic mode have no friction or bounce of their own.
+    bool is_admitted(const HalfSpace<D, Real>& plane, Row row, Row collider = PendingContact::none) const {
+        if (!filter_) return true;
+        const auto moved = p_.position[row] - p_.previous[row];
+        PendingContact contact{.particle = row,
+                               .collider = collider,
+                               .gap = -double(plane.depth_of(p_.previous[row], p_.radius[row])),
+                               .speed = -double(dot(plane.normal, moved) * inverse_or_zero(h_))};
+        contact.set_normal(plane.normal);
+        return filter_.ask(contact);
+    }
 
     /// A collider is a wall at each contact, where it will be at the end of the step.
     void hit(const collide::Collider<D, Real>& collider, std::uint32_t index) {
@@ -74,11 +88,18 @@ template <int D, class Real> class ClassicWalls {
         for (Row row = 0; row < p_.size(); ++row) {
             if (!(p_.mobility[row] > Real(0)) || !touch(collider.filter, detail::filter_of(world_, row))) continue;
             moving.contacts(p_.previous[row], p_.position[row], p_.radius[row], [&](const auto& contact) {
-                touches_.add(row, index, Real(0));
                 const auto& surface = contact.surface;
-                if (!collider.is_sensor) hit({surface.normal, dot(surface.normal, surface.point)}, row);
+                const HalfSpace<D, Real> plane{surface.normal, dot(surface.normal, surface.point)};
+                if (!is_admitted(plane, row, index)) return;
+                touches_.add(row, index, Real(0));
+                if (!collider.is_sensor) hit(plane, row);
             });
         }
+    }
+
+    /// True for a particle behind a plane whose contact acts.
+    bool strikes(const HalfSpace<D, Real>& plane, Row row) const {
+        return plane.depth_of(p_.position[row], p_.radius[row]) > grain(plane, row) && is_admitted(plane, row);
     }
 
     /// Moves a particle back onto a wall; false if it was not behind it. With a bounce, x_prev is mirrored: the normal
@@ -132,7 +153,7 @@ template <int D, class Real> class ClassicStep {
           rules_(held_in_limits(world.settings.classic)),
           h_(clamp(min(dt, rules_.longest_step * world.settings.frame) * rules_.time_scale, Real(0),
                    limit::step<Real>)),
-          mover_{p_}, walls_(world, solver.touches, rules_, h_) {}
+          mover_{p_}, walls_(world, solver.touches, solver.options.contact_filter, rules_, h_) {}
 
     void run() {
         if (h_ < limit::shortest_step<Real> && !rules_.unscaled_inertia) return; // time stands still

@@ -57,7 +57,7 @@ template <int D, class Real> class CoupledSweep {
         keeper_.note(bodies, 1);
         FigureContact<D, Real> contacts(world_, solver_, substeps_.h, number, substeps_.count);
         contacts.begin();
-        if (has_faces()) find_face_contacts(world_, solver_, solver_.contacts->list.near_by);
+        if (has_faces()) find_face_contacts(world_, solver_, solver_.contacts->list.near_by, substeps_.h);
         solve_with_ports(substep, number);
         hold(substep, number);
         solve_faces();

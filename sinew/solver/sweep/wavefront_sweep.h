@@ -17,8 +17,9 @@ template <int D, class Real> class WavefrontSweep {
   public:
     WavefrontSweep(World<D, Real>& world, Solver<D, Real>& solver, const Substeps<D, Real>& substeps)
         : world_(world), solver_(solver), plan_(solver.sweep_state.plan), substeps_(substeps),
-          threads_(threads_for(solver.sweep_state.size(), solver.options.threads)), keeper_{solver.sweep_state,
-                                                                                            substeps.kernels()} {}
+          threads_(threads_for(solver.sweep_state.size(), solver.options.threads_wanted())), keeper_{
+                                                                                                 solver.sweep_state,
+                                                                                                 substeps.kernels()} {}
 
     /// Distributes components over threads; all threads together run a component so large that one thread would finish
     /// long after the others.

@@ -1,0 +1,101 @@
+#include "apps/cli/level_file.h"
+
+#include "apps/cli/compiler.h"
+#include "apps/cli/console.h"
+#include "apps/cli/scene_file.h"
+#include "bindings/c/native/lend.h"
+
+#include <cerrno>
+#include <cstring>
+#include <dlfcn.h>
+#include <filesystem>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace sinew::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* entry_name = "sinew_level_entry";
+constexpr const char* empty_scene = R"({"sinew": 1, "world": {"gravity": [0, -9.81]}})";
+
+/// A file that is removed once it is loaded: the dynamic linker would take a new file of an old name for the old one,
+/// and a compiler may write over a file that is in use.
+class PassingFile {
+  public:
+    PassingFile() {
+        const int file = mkstemp(name_.data());
+        if (file < 0) refuse(name_, std::strerror(errno));
+        close(file);
+    }
+    PassingFile(const PassingFile&) = delete;
+    PassingFile& operator=(const PassingFile&) = delete;
+    ~PassingFile() {
+        std::error_code gone;
+        fs::remove(name_, gone);
+    }
+    const std::string& name() const { return name_; }
+
+  private:
+    std::string name_ = (fs::temp_directory_path() / "sinew-level-XXXXXX").string();
+};
+
+/// Message of the dynamic linker, without the passing file.
+std::string linker_message(const std::string& file) {
+    const char* const text = dlerror();
+    std::string message = text ? text : "it cannot be loaded";
+    if (message.starts_with(file + ": ")) message.erase(0, file.size() + 2);
+    return message;
+}
+
+std::string help_for(const std::string& message) {
+    if (message.find("undefined symbol") != std::string::npos)
+        return "a level is linked with the libraries it calls; sinew.h alone needs none";
+    return "a level is compiled by cc -shared -fPIC level.c -o level.so";
+}
+
+/// The level of a shared object, which stays in memory: functions of it may be kept anywhere, as a filter of contacts.
+const sinew_level* load(const std::string& object, const std::string& word) {
+    void* const loaded = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!loaded) {
+        const auto message = linker_message(object);
+        refuse(word, message, help_for(message));
+    }
+    using Entry = const sinew_level* (*)();
+    const auto entry = reinterpret_cast<Entry>(dlsym(loaded, entry_name));
+    const auto* const level = entry ? entry() : nullptr;
+    if (!level)
+        refuse(word, fmt::format("it is no level: it has no function {}", entry_name),
+               "a level includes <sinew_level.h> and has a line SINEW_LEVEL(.build = build)");
+    return level;
+}
+
+void make_object(const std::string& word, const std::string& object) {
+    if (is_source(word)) return compile(word, object);
+    std::error_code problem;
+    fs::copy_file(word, object, fs::copy_options::overwrite_existing, problem);
+    if (problem) refuse(word, problem.message());
+}
+
+} // namespace
+
+bool is_level(const std::string& word) {
+    return fs::path(word).extension() == ".so" || is_source(word);
+}
+
+play::Fetched open_level(const std::string& word, std::span<const Override> overrides) {
+    const PassingFile object;
+    make_object(word, object.name());
+    const auto* const given = load(object.name(), word);
+    std::string problem;
+    auto level = c::level_of(given, word, problem);
+    if (!level) refuse(word, problem);
+    auto opened = open_text(given->scene ? given->scene : empty_scene, word, fs::path(word).parent_path(), overrides);
+    Session trial{Opened(opened)}; // a level that cannot be built is refused, and what runs goes on
+    trial.play(level);
+    if (!level->problem.empty()) refuse(word, level->problem.substr(word.size() + 2));
+    return {std::move(opened), "", word, std::move(level)};
+}
+
+} // namespace sinew::cli

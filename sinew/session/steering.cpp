@@ -1,0 +1,114 @@
+#include "sinew/session/steering.h"
+
+#include "sinew/prefab/steer.h"
+#include "sinew/scene/check.h"
+#include "sinew/scene/types.h"
+#include "sinew/world/edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+namespace sinew {
+namespace {
+
+/// True while the event lasts, in one of its occurrences.
+bool lasts(const EventSection& event, const SteerEvent& steer, double now) {
+    double since = now - event.first();
+    if (since < 0) return false;
+    if (event.every > 0) {
+        const double number = std::floor(since / event.every);
+        if (event.times == 0 || number < event.times) since -= number * event.every;
+    }
+    return since < steer.duration;
+}
+
+/// Controls by the scene's events at a time; of several the last in the scene counts.
+Controls controls_at(const Scene& scene, std::string_view figure, double now) {
+    Controls controls;
+    for (const auto& event : scene.events) {
+        const auto* steer = std::get_if<SteerEvent>(&event.event);
+        if (!steer || steer->figure != figure || !lasts(event, *steer, now)) continue;
+        if (steer->along) controls.along = *steer->along;
+        if (steer->up) controls.up = *steer->up;
+        if (steer->jump) controls.jump = *steer->jump;
+        if (steer->hold) controls.hold = *steer->hold;
+    }
+    return controls;
+}
+
+} // namespace
+
+std::optional<Steering::Steered> Steering::of(const FigureSection& section) {
+    std::optional<Steered> found;
+    detail::visit_held(section.made, [&]<class Made>(const Made& made) {
+        if constexpr (std::is_same_v<Made, Character> || std::is_same_v<Made, Car>) found = made;
+    });
+    return found;
+}
+
+void Steering::set(FigureIndex figure, std::optional<Controls> controls) {
+    std::erase_if(set_, [&](const auto& entry) { return entry.first == figure; });
+    if (controls) set_.emplace_back(figure, *controls);
+}
+
+void Steering::know(FigureIndex figure, const Steered& steered) {
+    std::erase_if(known_, [&](const auto& entry) { return entry.first == figure; });
+    known_.emplace_back(figure, steered);
+}
+
+std::optional<Steering::Steered> Steering::steered(const Scene& scene, const AnyWorld& world,
+                                                   FigureIndex figure) const {
+    for (const auto& [known, parameters] : known_)
+        if (known == figure) return parameters;
+    return std::visit(
+        [&](const auto& any) -> std::optional<Steered> {
+            if (!has_figure(any, figure)) return std::nullopt;
+            for (const auto& section : scene.figures)
+                if (name_of(section) == any.figures[figure].name) return of(section);
+            return std::nullopt;
+        },
+        world);
+}
+
+bool Steering::has_any(const Scene& scene) const {
+    return !known_.empty() ||
+           std::ranges::any_of(scene.figures, [](const auto& section) { return of(section).has_value(); });
+}
+
+void Steering::restart() {
+    set_.clear();
+    known_.clear();
+}
+
+template <class WorldT> void Steering::run_in(const Scene& scene, WorldT& world) const {
+    using Real = typename WorldT::Real;
+    const double now = world.time + step_length(scene) * 1e-6; // the clock is a sum of steps
+    const auto move = [&](FigureIndex figure, const Steered& steered) {
+        const auto own = std::ranges::find(set_, figure, [](const auto& entry) { return entry.first; });
+        const auto controls = own != set_.end() ? own->second
+                              : player_         ? *player_
+                                                : controls_at(scene, world.figures[figure].name, now);
+        const auto dt = Real(step_length(scene));
+        if (const auto* character = std::get_if<Character>(&steered))
+            walk(world, figure, *character, controls, dt);
+        else if (const auto* car = std::get_if<Car>(&steered))
+            steer(world, figure, *car, controls, dt);
+    };
+    for (const auto& section : scene.figures)
+        if (const auto steered = of(section))
+            if (const auto figure = find_figure(world, name_of(section))) move(*figure, *steered);
+    for (const auto& [figure, steered] : known_)
+        if (has_figure(world, figure)) move(figure, steered);
+}
+
+void Steering::run(const Scene& scene, AnyWorld& any) const {
+    std::visit(
+        [&]<class WorldT>(WorldT& world) {
+            if constexpr (WorldT::dimension == 2) run_in(scene, world);
+        },
+        any);
+}
+
+} // namespace sinew

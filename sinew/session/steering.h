@@ -1,0 +1,51 @@
+#pragma once
+
+#include "sinew/prefab/car.h"
+#include "sinew/prefab/character.h"
+#include "sinew/prefab/controls.h"
+#include "sinew/prefab/walk.h"
+#include "sinew/scene/scene.h"
+
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sinew {
+
+/// Controls of the characters and cars of a session. The program's count first, then the player's once a key has been
+/// pressed, then the scene's events. No part of a snapshot: controls are given anew after one is loaded.
+class Steering {
+  public:
+    using Steered = std::variant<Character, Car>;
+
+    /// Parameters of a figure of a scene; nothing for one that cannot be steered.
+    static std::optional<Steered> of(const FigureSection& section);
+
+    /// Controls of the player's keys, for every figure that the program does not control.
+    void play(const Controls& controls) { player_ = controls; }
+    const Controls& player() const { return player_ ? *player_ : neutral; }
+    /// Controls of a figure by the program; nothing: the player's and the scene's again.
+    void set(FigureIndex figure, std::optional<Controls> controls);
+    /// Parameters of a figure that is not of the scene.
+    void know(FigureIndex figure, const Steered& steered);
+    /// Parameters of a figure; nothing for one that cannot be steered.
+    std::optional<Steered> steered(const Scene& scene, const AnyWorld& world, FigureIndex figure) const;
+    /// True if there is something to steer.
+    bool has_any(const Scene& scene) const;
+    /// Forgets figures that the scene has not built.
+    void restart();
+
+    /// Moves all figures for the next step.
+    void run(const Scene& scene, AnyWorld& world) const;
+
+  private:
+    static constexpr Controls neutral{};
+    std::optional<Controls> player_;
+    std::vector<std::pair<FigureIndex, Controls>> set_;
+    std::vector<std::pair<FigureIndex, Steered>> known_;
+
+    template <class WorldT> void run_in(const Scene& scene, WorldT& world) const;
+};
+
+} // namespace sinew
