@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from operator import index
 from typing import Any, Callable, Mapping, Sequence, Union
 
 import numpy as np
@@ -34,9 +35,11 @@ def batch(scene: Scene, n: int, *, seed: int = 0, vary: Mapping[str, Values] | N
     >>> worlds.positions.shape == (8, len(worlds.worlds[0]), 2)
     True
     """
-    if n < 1:
+    if index(n) < 1:
         raise ArgumentError(f"a batch has at least one world, not {n}")
-    if not 0 <= threads <= 1024:
+    if vary is not None and not isinstance(vary, Mapping):
+        raise TypeError(f"what varies is a dict of paths and values, not {type(vary).__name__}")
+    if not 0 <= index(threads) <= 1024:
         raise ArgumentError(f"a batch has 1 to 1024 threads, or 0 for as many as cores, not {threads}")
     random = np.random.default_rng(seed)
     values = {path: _drawn(path, given, n, random) for path, given in (vary or {}).items()}
@@ -52,6 +55,8 @@ def _drawn(path: str, given: Values, n: int, random: np.random.Generator) -> npt
     if callable(given):
         given = given(random)
     elif isinstance(given, tuple) and len(given) == 2:
+        if not np.isfinite(numbers(given, f"{path}: a range has two numbers, not {given!r}")).all():
+            raise ArgumentError(f"{path}: a range has two finite numbers, not {given!r}")
         return random.uniform(given[0], given[1], n)
     column = np.asarray(given)
     if column.ndim == 0 or len(column) != n:

@@ -36,6 +36,8 @@ class Edits(Names):
         limits = (1, 0) if low is None and high is None else (-np.inf if low is None else low, np.inf if high is None else high)
         if low is not None and high is not None and low > high:
             raise ArgumentError(f"the lower limit is above the higher: {low} > {high}")
+        if low == np.inf or high == -np.inf:
+            raise ArgumentError(f"no measure is within these limits: {low} to {high}")
         members = np.array([self._id(particle) for particle in particles], np.uint64)
         return self._core.add_constraint(self._kind(kind), members, *limits, compliance, max_force, breaking_strain)
 

@@ -225,6 +225,19 @@ def test_views_after_the_end_and_huge_arrays():
         sinew.from_arrays(np.zeros((10**7, 2)), np.zeros((1, 3), int))
 
 
+def test_ranges_and_limits_without_an_end(sim):
+    weight = "figures.rope.weight"
+    for given in ((np.nan, 1), (0, np.inf), ("a", "b"), (None, 1)):
+        with pytest.raises(ValueError, match="range has two"):
+            sinew.batch("rope", 2, vary={weight: given})
+    for wrong in ({"vary": [weight]}, {"vary": weight}, {"threads": 1.5}, {"n": "2"}, {"n": 1.5}):
+        with pytest.raises(TypeError):
+            sinew.batch("rope", **{"n": 2, **wrong})
+    for limits in ({"low": np.inf}, {"high": -np.inf}, {"low": np.inf, "high": np.inf}):
+        with pytest.raises(ValueError, match="no measure"):
+            sim.add_constraint("distance", ["bob/head", "bob/left_hand"], **limits)
+
+
 def test_checks_take_values_as_open_does():
     assert sinew.check("ragdoll", {"figures.bob.height": 150}, mode="classic") == []
     assert sinew.check("ragdoll", {"figures.bob.height": -1})
