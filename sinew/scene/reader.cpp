@@ -135,13 +135,14 @@ void report_missing(const json::Value& object, const Field& field, const Path& p
                              help_of(field));
 }
 
-/// "did you mean "a.b" or "c.b"?"; empty without a path.
+/// "did you mean "a.b" or "c" at the top of the file?"; empty without a path.
 std::string suggested_paths(const std::vector<std::string>& paths) {
     constexpr std::size_t max_told = 4;
+    const auto is_key = [](const std::string& path) { return path.find_first_of("./") == path.npos; };
     if (paths.empty()) return "";
     std::string help = "did you mean ";
     for (std::size_t i = 0; i < std::min(paths.size(), max_told); ++i)
-        help += concat(i == 0 ? "" : " or ", in_quotes(paths[i]));
+        help += concat(i == 0 ? "" : " or ", in_quotes(paths[i]), is_key(paths[i]) ? " at the top of the file" : "");
     if (paths.size() > max_told) help += concat(", or at ", paths.size() - max_told, " more places");
     return help + "?";
 }

@@ -171,6 +171,9 @@ TEST(Words, OfOtherEnginesLeadToOurs) {
     EXPECT_TRUE(says(in(R"("figures": [{"wheel": 1}])"), "did you mean \"prefab: wheel\"?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "position": [0, 1]}])"), "did you mean \"at\"?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "density": 1}])"), "did you mean \"mass\"?"));
+    EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "pins": "start"}])"), "did you mean \"pinned\"?"));
+    EXPECT_TRUE(says(in(R"("drivers": [])"), "did you mean \"pins\"?"));
+    EXPECT_TRUE(says(in(R"("colliders": [{"figures": []}])"), "did you mean \"figures\" at the top of the file?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "color": "red"}])"), "did you mean \"looks\"?"));
 }
 
