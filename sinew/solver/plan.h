@@ -5,8 +5,10 @@
 #include "sinew/solver/block.h"
 #include "sinew/solver/level_structure.h"
 #include "sinew/solver/simd/kernel.h"
+#include "sinew/world/slack_links.h"
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <utility>
 #include <vector>
@@ -121,12 +123,14 @@ struct PlanRoom {
     };
     std::vector<Row> sorted, left_over; ///< rows of distances
     std::vector<SweepRun> others;
+    std::vector<SlackLink> slack_links;
     std::vector<Link> of_tile, left_of_tile;
     std::vector<Sequence> sequences;
     LevelStructure levels;
 
     void reserve(std::size_t particles, std::size_t distances, std::size_t constraints) {
         others.reserve(constraints);
+        slack_links.reserve(distances);
         members.reserve(particles + 1, particles);
         link_at.reserve(particles + 1, distances);
         order.reserve(particles + 1);
@@ -160,7 +164,10 @@ template <class Real> struct Plan {
     std::vector<Real> half_per_max_length_square; ///< 1 / (2 max_length^2) by tether and slot; 0: unlimited
     bool may_tear = true;                         ///< some constraint of the world can tear
     std::vector<SweepRun> others; ///< constraints other than simple distances, in the order of the sweep
-    std::uint32_t row_moves = 0;  ///< Journal::row_moves when the plan was made
+    static constexpr Row no_link = ~Row(0);
+    std::vector<std::array<Row, 2>>
+        bend_links;              ///< by row of a bend: links that are its legs and can shrink, or no_link
+    std::uint32_t row_moves = 0; ///< Journal::row_moves when the plan was made
 
     PlanPlace end() const {
         const auto size = [](const auto& column) { return std::uint32_t(column.size()); };
@@ -229,6 +236,7 @@ template <class Real> struct Plan {
         parameters.reserve(distances + lanes + 1);
         for (auto* column : {&ends_a, &ends_b, &rows}) column->reserve(distances);
         others.reserve(constraints);
+        bend_links.reserve(constraints);
     }
     void clear() {
         parameters.clear();
@@ -241,6 +249,7 @@ template <class Real> struct Plan {
         tethers.clear();
         half_per_max_length_square.clear();
         others.clear();
+        bend_links.clear();
     }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/math/random.h"
+#include "sinew/solver/bend_legs.h"
 #include "sinew/solver/sweep_run.h"
 #include "sinew/world/stencil.h"
 
@@ -59,6 +60,12 @@ template <class Real> Real handicap(Real split, std::size_t member) {
 template <class Mover>
 concept CouplesParticles = Mover::couples;
 
+/// A bend in physical mode, whose legs turn.
+template <class Kind, class Mover>
+concept BendsLegs = std::is_same_v<Kind, Angle<Mover::dimension>> && requires(const Mover& mover) {
+    mover.bend_legs(Row());
+};
+
 /// Response of a measure to the multiplier: the sum of w g . d.
 template <class Mover, class Stencil, class Real>
 Real resistance_of(const Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split) {
@@ -75,10 +82,14 @@ Real resistance_of(const Mover& mover, const Stencil& stencil, std::span<const R
 }
 
 /// Change of a multiplier, limited to the trust region of a linear model.
-template <class Mover, class Stencil, class Real>
+template <class Kind, class Mover, class Stencil, class Real>
 Real trusted(const Mover& mover, const Stencil& stencil, std::span<const Row> members, Real split, Real change) {
-    if constexpr (CouplesParticles<Mover>) return change * mover.trusted_share(stencil, members, split, change);
-    return change;
+    if constexpr (CouplesParticles<Mover>)
+        return change * mover.trusted_share(stencil, members, split, change);
+    else if constexpr (BendsLegs<Kind, Mover>)
+        return change * share_of_turn(stencil, mover, members, change);
+    else
+        return change;
 }
 
 template <class Mover, class Stencil, class Real>
@@ -97,6 +108,15 @@ template <class Stencil> auto squared(const Stencil& stencil) {
     return sum;
 }
 
+/// True if a bend fades with its legs: its measure and gradient are then those of the faded one.
+template <class Kind, class Mover, class Stencil, class Real>
+bool fades(const Mover& mover, Stencil& stencil, Row row, Real low, Real high, Real& measure) {
+    if constexpr (BendsLegs<Kind, Mover>)
+        return fade_bend(stencil, mover.bend_legs(row), low, high, measure);
+    else
+        return false;
+}
+
 /// Corrects one constraint. False, and nothing corrected, if the gradient vanishes while a limit is violated.
 template <class Mover, class Table, int D, class Real>
 bool correct_row(std::span<Vec<D, Real>> scratch, Table& table, Row row, Mover& mover) {
@@ -106,8 +126,11 @@ bool correct_row(std::span<Vec<D, Real>> scratch, Table& table, Row row, Mover& 
 
     stencil.each([&](std::size_t i) { stencil.points[i] = mover.point(members[i]); });
     const Real low = table.low(row), high = table.high(row), split = table.split[row];
-    const Real measure = unwrap<Kind>(stencil.evaluate(stencil.points, stencil.gradient), low, high);
-    mover.choose_direction(stencil, members);
+    Real measure = unwrap<Kind>(stencil.evaluate(stencil.points, stencil.gradient), low, high);
+    if (fades<Kind>(mover, stencil, row, low, high, measure))
+        stencil.direction = stencil.gradient;
+    else
+        mover.choose_direction(stencil, members);
 
     const Real steepness = squared(stencil);
     Real resistance = resistance_of(mover, stencil, members, split);
@@ -126,7 +149,7 @@ bool correct_row(std::span<Vec<D, Real>> scratch, Table& table, Row row, Mover& 
                                                  inverse_or_zero(resistance + alpha)),
                               -max, max);
     const Real change = table.relaxation[row] * (solved - lambda);
-    const Real next = lambda + trusted(mover, stencil, members, split, change);
+    const Real next = lambda + trusted<Kind>(mover, stencil, members, split, change);
     table.multiplier[row] = next;
     displace_all(mover, stencil, members, split, next - lambda);
     return true;

@@ -22,6 +22,10 @@ template <int D, class RealT> struct SubstepMover {
 
     Vec<D, Real> point(Row row) const { return point_at(sweep_state.slot_of[row]); }
     Vec<D, Real> point_at(Row slot) const { return sweep_state.position_at(slot) + sweep_state.displacement_at(slot); }
+    /// Lengths below which a bend fades with its legs.
+    std::array<Real, 2> bend_legs(Row bend) const {
+        return sweep_state.bend_legs.empty() ? std::array<Real, 2>{} : sweep_state.bend_legs[bend];
+    }
     Real weight(Row row) const { return sweep_state.mobility[sweep_state.slot_of[row]]; }
     Real alpha(Real compliance) const { return min(compliance * per_h * per_h, limit::measure<Real>); }
     Real max_multiplier(Real max_force) const { return min(max_force * h * h, limit::multiplier<Real>); }

@@ -59,6 +59,8 @@ template <int D, class Real> struct SweepState {
     std::vector<Roller<D, Real>> rollers;             ///< by slot; none where nothing rolls
     bool any_pin_moves = false, any_pin_soft = false; ///< in this step
     Plan<Real> plan;
+    std::vector<std::array<Real, 2>>
+        bend_legs; ///< by row of a bend: lengths below which it fades, in this step; or none
     FreeBodies<D> bodies;
     PlanRoom room;
     Plan<Real> spare; ///< components set aside while others are laid out before

@@ -1,10 +1,9 @@
 #include "sinew/world/measure.h"
 
-#include "sinew/math/sort.h"
+#include "sinew/world/slack_links.h"
 #include "sinew/world/stencil.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace sinew {
 namespace {
@@ -110,44 +109,6 @@ ConstraintState state_of(const Table& table, Row row, double measured, Real subs
     return state;
 }
 
-/// Distances with slack. In a direct block a slack arm weakens an angle spring (direct/angle_rows.h).
-class SlackLinks {
-  public:
-    template <class Distances> explicit SlackLinks(const Distances& distances) {
-        using Real = std::decay_t<decltype(distances.high(0))>;
-        for (Row row = 0; row < distances.size(); ++row)
-            if (distances.low(row) < distances.high(row) && distances.high(row) < limit::coordinate<Real>) {
-                const auto ends = std::minmax({distances.members[row][0], distances.members[row][1]});
-                links_.push_back({ends.first, ends.second, row, double(distances.high(row))});
-            }
-        const auto order = [](const Link& link) { return std::tuple(link.a, link.b, link.row); };
-        sinew::sort(links_.begin(), links_.end(), [&](const Link& x, const Link& y) { return order(x) < order(y); });
-    }
-
-    /// Fraction of an angle spring's energy: product of (length / max length)^2 over the arms with slack, each at most
-    /// 1.
-    template <class Point> double tautness(std::span<const Row> members, Point&& point) const {
-        double share = 1;
-        for (std::size_t i = 0; i + 1 < members.size(); ++i) {
-            const auto ends = std::minmax({members[i], members[i + 1]});
-            const auto after =
-                std::upper_bound(links_.begin(), links_.end(), ends,
-                                 [](const auto& e, const Link& link) { return e < std::pair(link.a, link.b); });
-            if (after == links_.begin() || (after - 1)->a != ends.first || (after - 1)->b != ends.second) continue;
-            const auto arm = point(ends.second) - point(ends.first);
-            share *= min(dot(arm, arm) / square((after - 1)->length), 1.0);
-        }
-        return share;
-    }
-
-  private:
-    struct Link {
-        Row a = 0, b = 0, row = 0;
-        double length = 0;
-    };
-    std::vector<Link> links_;
-};
-
 } // namespace
 
 template <int D, class Real>
@@ -182,6 +143,7 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
     Energy sum;
     for (Row row = 0; row < p.size(); ++row)
         if (counts(p.figure[row])) add_particle_energy(world, row, sum);
+    std::vector<SlackLink> links;
     std::optional<SlackLinks> slack;
     for_each_table(world, [&](const auto& table) {
         using Kind = typename std::decay_t<decltype(table)>::Kind;
@@ -191,13 +153,14 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
             const auto weight = [&](Row particle) { return double(p.mobility[particle]); };
             const auto measured = measure_row(table, row, middle, weight);
             const auto state = state_of(table, row, measured.value, world.last_substep);
-            double stored = table.spring_energy(row, state.error);
-            if (is_swept(world, table.members[row]) &&
-                is_beyond_sweep(double(table.compliance[row]), measured.response, double(world.last_substep)))
-                stored = 0.5 * double(table.compliance[row]) * square(state.tension);
+            const bool told_by_force =
+                is_swept(world, table.members[row]) &&
+                is_beyond_sweep(double(table.compliance[row]), measured.response, double(world.last_substep));
+            double stored = told_by_force ? 0.5 * double(table.compliance[row]) * square(state.tension)
+                                          : table.spring_energy(row, state.error);
             if constexpr (std::is_same_v<Kind, Angle<D>>)
-                if (stored > 0 && is_at_end(p, table.members[row]) && world.settings.mode == Mode::physical) {
-                    if (!slack) slack.emplace(std::get<kind_number<Distance, D>>(world.constraints));
+                if (stored > 0 && !told_by_force && world.settings.mode == Mode::physical) {
+                    if (!slack) slack.emplace(std::get<kind_number<Distance, D>>(world.constraints), links);
                     stored *= slack->tautness(table.members[row], middle);
                 }
             sum.stored += stored;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 /// No energy from nothing: kinetic plus potential energy of any figure never rises above what was put in, whatever its
@@ -86,7 +87,7 @@ template <int D, class Real> struct Thrown {
     Dice dice;
     std::string told;
     double size = 0;
-    bool is_there = false;
+    bool is_there = false, is_supported = false;
 
     template <class Prefab> Thrown(std::uint64_t seed, std::type_identity<Prefab>, int max_count) : dice(seed) {
         constexpr std::size_t max_particles = 400;
@@ -110,9 +111,10 @@ template <int D, class Real> struct Thrown {
         const auto direct = dice.one_of(2) ? Direct::off : Direct::automatic;
         for (auto& figure : world.figures) figure.direct = direct;
         const bool held = !pair && dice.one_of(4);
+        is_supported = floor || held;
         if (!held)
             while (!world.pins.empty()) unpin_all(world, world.pins[0].particle);
-        Real lowest = 1e30;
+        Real lowest = std::numeric_limits<Real>::max();
         for (Row row = 0; row < world.particles.size(); ++row)
             lowest = std::min(lowest, world.particles.position[row][1] - world.particles.radius[row]);
         if (floor)
@@ -155,18 +157,25 @@ template <int D, class Real> struct Thrown {
         size = norm(high - low);
     }
 
-    /// Largest rise of kinetic plus potential energy, of what the law allows for.
+    /// Kinetic plus potential energy; of what nothing supports, about its centre of mass: it falls by many times its
+    /// size, and a float's rounding of that is more than a thousandth of its weight times size.
+    double outside(const sinew::Energy& now) const {
+        if (is_supported) return now.kinetic + now.potential;
+        const auto whole = momentum(world);
+        return now.kinetic - 0.5 * dot(whole, whole) / total_mass(world);
+    }
+    /// Largest rise of it above what was put in, in kinetic energy or weight times size.
     double gain(int steps) {
         const auto begun = energy(world);
         double mass = 0;
         for (Row row = 0; row < world.particles.size(); ++row)
             if (world.particles.mobility[row] > 0) mass += 1 / double(world.particles.inverse_mass[row]);
         const double scale = std::max(begun.kinetic + begun.stored, mass * gravity * size);
+        const double put_in = outside(begun) + begun.stored;
         double worst = 0;
         for (int i = 0; i < steps; ++i) {
             step(world, Real(1) / 60);
-            const auto now = energy(world);
-            const double rise = (now.kinetic + now.potential - begun.total()) / scale;
+            const double rise = (outside(energy(world)) - put_in) / scale;
             if (!(rise < worst)) worst = rise;
             if (!(worst < 1e3)) break;
         }
@@ -175,20 +184,19 @@ template <int D, class Real> struct Thrown {
 };
 
 template <class Type> struct Energy : ::testing::Test {};
-using Doubles = ::testing::Types<In<2, double>, In<3, double>>;
-TYPED_TEST_SUITE(Energy, Doubles, Names);
+TYPED_TEST_SUITE(Energy, Everywhere, Names);
 
 TYPED_TEST(Energy, NeverRisesAboveWhatWasPutIn) {
     constexpr int D = TypeParam::dimension;
     using Real = typename TypeParam::Real;
     constexpr double slight = 1e-3;
-    const int cases = few_or_many(1, 250), max_count = is_thorough() ? 200 : 40;
+    const int cases = few_or_many(1, 250), max_count = is_thorough() ? 200 : 40, steps = is_thorough() ? 180 : 60;
     Prefabs::for_each([&]<class Prefab>(std::type_identity<Prefab> type) {
         if constexpr (Prefab::dimensions.include(D)) {
             for (int seed = 1; seed <= cases; ++seed) {
                 Thrown<D, Real> thrown(std::uint64_t(seed), type, max_count);
                 if (thrown.is_there) {
-                    EXPECT_LE(thrown.gain(60), slight) << "seed " << seed << ": " << thrown.told;
+                    EXPECT_LE(thrown.gain(steps), slight) << "seed " << seed << ": " << thrown.told;
                 }
             }
         }

@@ -1,5 +1,6 @@
 #include "sinew/math/sort.h"
 #include "sinew/solver/batch/components.h"
+#include "sinew/solver/batch/leg_finder.h"
 #include "sinew/solver/batch/reuse.h"
 #include "sinew/solver/batch/tethers.h"
 #include "sinew/solver/batch/ties.h"
@@ -34,6 +35,7 @@ template <int D, class Real> class PlanBuilder {
         plan_.close();
         for (auto& run : plan_.runs) run.kind = kind_of(run);
         detail::TieFinder<D, Real>(world_, solver_).run();
+        detail::find_bend_links(world_, plan_, room_);
         plan_.row_moves = world_.journal.row_moves;
         list_pins();
         tethers_.run();

@@ -2,6 +2,7 @@
 
 #include "sinew/solver/direct/block_scope.h"
 #include "sinew/solver/direct/matrix_structure.h"
+#include "sinew/world/slack_links.h"
 
 #include <algorithm>
 
@@ -141,15 +142,14 @@ template <int D, class Real> class BlockRowBuilder {
         hold(table, row);
     }
 
-    /// Squared length at which the link between two particles is taut, m^2; 0 for a link that is never slack, or
+    /// Square of the fading length of the link between two particles, m^2; 0 for a link that keeps its length, or is
     /// driven.
     double slack_arm(Row a, Row b) const {
         double arm = 0;
         scope_.graph.each(distances_, a, [&](Row link) {
-            const Real high = distances_.high(link);
-            const bool slack = distances_.low(link) < high && high < limit::coordinate<Real>;
-            if (slack && !Graph::is_driven(distances_, link) && scope_.graph.other_end(link, a) == b)
-                arm = square(double(high));
+            const double length = fading_length(distances_, link);
+            if (length > 0 && !Graph::is_driven(distances_, link) && scope_.graph.other_end(link, a) == b)
+                arm = square(length);
         });
         return arm;
     }

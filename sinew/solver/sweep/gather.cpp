@@ -1,6 +1,7 @@
 #include "sinew/solver/phases.h"
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/solver/sweep/crumpling.h"
+#include "sinew/world/slack_links.h"
 #include "sinew/world/world.h"
 
 #include <algorithm>
@@ -26,6 +27,19 @@ Transposition<D, Real> turning(const SweepState<D, Real>& sweep_state, std::vect
     return all;
 }
 
+/// Fading lengths of the legs of springs, by their present limits.
+template <int D, class Real> void measure_bend_legs(const World<D, Real>& world, SweepState<D, Real>& sweep_state) {
+    const auto& links = std::get<kind_number<Distance, D>>(world.constraints);
+    const auto& bends = std::get<kind_number<Angle, D>>(world.constraints);
+    const auto& bend_links = sweep_state.plan.bend_links;
+    sweep_state.bend_legs.resize(bend_links.size());
+    for (Row row = 0; row < bend_links.size(); ++row)
+        for (std::size_t i = 0; i < 2; ++i) {
+            const bool shrinks = !bends.is_rigid(row) && bend_links[row][i] != Plan<Real>::no_link;
+            sweep_state.bend_legs[row][i] = shrinks ? Real(fading_length(links, bend_links[row][i])) : Real(0);
+        }
+}
+
 } // namespace
 
 template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, Real>& solver, Real h) {
@@ -47,6 +61,7 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
         sweep_state.any_pin_soft = sweep_state.any_pin_soft || !pin.hard();
     }
     detail::Crumpling<D, Real>(world, sweep_state).find();
+    measure_bend_legs(world, sweep_state);
     auto& bodies = sweep_state.bodies;
     bodies.touched.assign(!has_walls(world) || bodies.list.empty() ? 0 : sweep_state.size(), 0);
     sweep_state.largest_radius = 0;
