@@ -36,6 +36,7 @@ template <int D, class Real> class PlanBuilder {
         for (auto& run : plan_.runs) run.kind = kind_of(run);
         detail::TieFinder<D, Real>(world_, solver_).run();
         detail::find_bend_links(world_, plan_, room_);
+        swept_.bend_legs.reserve(plan_.bend_links.capacity());
         plan_.row_moves = world_.journal.row_moves;
         list_pins();
         tethers_.run();
