@@ -9,7 +9,8 @@ namespace {
 using namespace test;
 
 std::string text_at(const files::Imported& imported, const std::string& pointer) {
-    const auto* const text = at(imported, pointer).as<std::string>();
+    const auto value = at(imported, pointer);
+    const auto* const text = value.as<std::string>();
     return text ? *text : "";
 }
 
@@ -19,7 +20,8 @@ TEST(MadeSamples, LettersOfInkscapeAreFiguresWithTheirHoles) {
     // "B" and "8" have two holes each: ways to the holes and back visit corners twice.
     for (const std::size_t letter : {1U, 2U}) {
         const auto figure = "/figures/" + std::to_string(letter);
-        const auto* const particles = at(word, figure + "/particles").as<json::Object>();
+        const auto listed = at(word, figure + "/particles");
+        const auto* const particles = listed.as<json::Object>();
         ASSERT_TRUE(particles);
         EXPECT_EQ(count_at(word, figure + "/pieces/0/through"), particles->size() + 4) << letter;
     }
