@@ -34,8 +34,8 @@ template <int D, class Real = double> struct Flight {
 
     Flight(const AnyPrefab& prefab, const Vec<D, double>& velocity, double damping, Direct direct = Direct::automatic) {
         build(world, prefab, "it", Placement<D, Real>{});
-        for (auto& figure : world.figures)
-            if (figure.direct == Direct::automatic) figure.direct = direct; // a prefab may have chosen: wheels are swept
+        for (auto& figure : world.figures) // prefabs with wheels have chosen to be swept
+            if (figure.direct == Direct::automatic) figure.direct = direct;
         while (!world.pins.empty()) unpin_all(world, world.pins[0].particle);
         world.forces.push_back(Gravity<D, Real>{Vec<D, Real>::axis(1) * Real(-9.81)});
         world.settings.damping = Real(damping);
