@@ -152,7 +152,7 @@ SINEW_LEVEL(.build = build)
     EXPECT_TRUE(has(error("gone.cpp"), "No such file"));
 }
 
-/// What fails in a step is told, and the world goes on without it.
+/// A failure in a step is told, and the world goes on without the level.
 TEST(Level, StopsCodeThatFails) {
     const ScratchFolder folder;
     write(folder / "fail.c", level("{0, 0, 0}", "if (*count == 30) return sinew_remove_figure(world, 77);"));

@@ -111,7 +111,7 @@ TEST(ContactFilter, AsksInTheOrderOfRowsWhateverTheThreads) {
     EXPECT_EQ(alone, asked(4));
 }
 
-/// Of a simulation: another one, and the same one afterwards, are not asked about.
+/// The filter of a simulation is not asked about another one, nor about the same one once it is taken away.
 TEST(ContactFilter, IsAnOptionOfASimulation) {
     int asked = 0;
     auto filter = [&](const PendingContact&) { return ++asked > 0; };

@@ -103,7 +103,7 @@ class Simulation {
 
 /// A point of two or three finite numbers; raises otherwise. `what` names the argument.
 sinew_point point_of(const Points& numbers, const char* what);
-/// Whether a world is of float; its numbers end at 3.4e38.
+/// True for a world of floats, whose numbers end at 3.4e38.
 bool is_float(sinew_simulation handle);
 /// Raises for a number that is not finite in a world, with its row; `rows` is what a row is called.
 void check_points(const Points& points, bool is_float, const char* rows = "row");
