@@ -135,23 +135,20 @@ TEST(Run, NeverPrintsWhatIsNoJson) {
     }
 }
 
-/// Processor time of all ended child processes, seconds.
-double children_seconds() {
+/// Pages that all ended child processes were given by the system without a disk.
+long children_pages() {
     rusage used{};
     getrusage(RUSAGE_CHILDREN, &used);
-    const auto seconds = [](const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); };
-    return seconds(used.ru_utime) + seconds(used.ru_stime);
+    return used.ru_minflt;
 }
 
-TEST(Run, StartsInThirtyMillisecondsOfProcessorTime) {
-    if (sanitized) GTEST_SKIP() << "sanitizers are slow to start";
-    double fastest = 1;
-    for (int i = 0; i < 20; ++i) {
-        const double before = children_seconds();
-        sinew({"run", "pendulum", "--seconds", "0.1", "--json"});
-        fastest = std::min(fastest, children_seconds() - before);
-    }
-    EXPECT_LT(fastest, 0.030);
+/// A start is the system's work on pages, most of all: 725 of them are 30 ms on a slow virtual machine, 3 ms of which
+/// are the dynamic linker's.
+TEST(Run, StartsWithAThousandPages) {
+    if (sanitized) GTEST_SKIP() << "sanitizers have pages of their own";
+    const long before = children_pages();
+    ASSERT_EQ(sinew({"run", "pendulum", "--seconds", "0.1", "--json"}).code, 0);
+    EXPECT_LT(children_pages() - before, 1000);
 }
 
 TEST(Check, CountsWhatIsGoodAndTellsAllThatIsNot) {
