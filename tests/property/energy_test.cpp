@@ -111,9 +111,9 @@ template <int D, class Real> struct Thrown {
         const auto direct = dice.one_of(2) ? Direct::off : Direct::automatic;
         for (auto& figure : world.figures) figure.direct = direct;
         const bool held = !pair && dice.one_of(4);
-        is_supported = floor || held;
         if (!held)
             while (!world.pins.empty()) unpin_all(world, world.pins[0].particle);
+        is_supported = floor || !world.pins.empty();
         Real lowest = std::numeric_limits<Real>::max();
         for (Row row = 0; row < world.particles.size(); ++row)
             lowest = std::min(lowest, world.particles.position[row][1] - world.particles.radius[row]);

@@ -60,6 +60,7 @@ template <int D, class Real> class BackwardEulerStep {
         substep_.run(Rule::backward_euler, 1);
         const double max_strain = max(bearable, solve_.worst_start_strain());
         substep_.retreat([&] { return solve_.worst_position_strain() <= max_strain && is_possible(); });
+        energy_.keep_flight();
         state_.start_tensions();
     }
 

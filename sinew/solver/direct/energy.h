@@ -92,6 +92,17 @@ template <int D> class BlockEnergy {
         for (auto& node : unknowns) node.velocity = whole(node) + (node.velocity - whole(node)) * share;
     }
 
+    /// Moves a free block by what its centre lacks of the way of its flight: a shortened motion is one within.
+    void keep_flight() const {
+        if (!free_) return;
+        const auto unknowns = solve_.unknowns();
+        const auto now = Motion::of(unknowns, Solve::position_of);
+        auto momentum = begun_.momentum;
+        for (const auto& node : unknowns) momentum += node.acceleration * (node.mass * solve_.substep());
+        const auto missing = begun_.center - now.center + momentum * (solve_.substep() * inverse_or_zero(now.mass));
+        for (auto& node : unknowns) node.position += missing;
+    }
+
     /// Restores momentum and angular momentum of a free block: the initial ones plus the impulses of the fields, since
     /// links act within. The moment of a field is taken about the mean of the centres at both ends of the substep:
     /// about either one of the two a figure in flight would be turned by its own weight.
