@@ -51,11 +51,23 @@ template <int D, class Real> class TrapCheck {
     static constexpr std::uint32_t few = 2; ///< loops of a component that is surely solved directly
 
     void warn_of_strain(std::string_view kind, std::size_t figure) {
-        const auto place =
-            figure < scene_.figures.size() ? under("figures", figure, "breaking_strain") : std::string("/constraints");
-        document_.warn(place,
+        document_.warn(place_of_strain(kind, figure),
                        format_text("a rigid {} is never strained, so a breaking_strain tears nothing here", kind),
                        "give it a compliance, or a break_force in newtons");
+    }
+
+    /// Place of the breaking strain: of a prefab its own, of constraints by hand that of the first which is rigid.
+    std::string place_of_strain(std::string_view kind, std::size_t figure) const {
+        const bool in_figure = figure < scene_.figures.size();
+        const auto* by_hand = in_figure ? std::get_if<ByHand>(&scene_.figures[figure].made) : nullptr;
+        if (in_figure && !by_hand) return under("figures", figure, "breaking_strain");
+        const auto prefix = in_figure ? under("figures", figure) : std::string();
+        const auto& list = in_figure ? by_hand->constraints : scene_.constraints;
+        const auto found = std::ranges::find_if(list, [&](const auto& constraint) {
+            return constraint.kind == kind && constraint.is_rigid() && constraint.strength.breaking_strain > 0;
+        });
+        if (found == list.end()) return prefix + "/constraints";
+        return prefix + under("constraints", std::size_t(found - list.begin()), "breaking_strain");
     }
 
     /// Loops of links in the component of each particle.

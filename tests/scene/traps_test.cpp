@@ -120,6 +120,9 @@ TEST(BreakingStrain, OfARigidLinkIsWarnedOf) {
     };
     EXPECT_TRUE(says(rope("").warnings, "a.json:1:64: warning: a rigid distance is never strained")) << rope("").errors;
     EXPECT_TRUE(rope("").opened);
+    const std::string soft_and_rigid = R"({"between": ["a", "b"], "compliance": 1, "breaking_strain": 0.1},
+        {"between": ["b", "c"], "breaking_strain": 0.1})";
+    EXPECT_TRUE(says(said_of(three(soft_and_rigid)).warnings, "at /figures/0/constraints/1/breaking_strain"));
     EXPECT_EQ(rope(R"(, "compliance": 0.001)").warnings, "");
     EXPECT_EQ(rope(R"(, "break_force": 100)").warnings, "");
     EXPECT_EQ(said_of(R"({"sinew": 1, "figures": [{"prefab": "cloth", "columns": 6, "rows": 6,
@@ -172,6 +175,8 @@ TEST(Words, OfOtherEnginesLeadToOurs) {
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "position": [0, 1]}])"), "did you mean \"at\"?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "density": 1}])"), "did you mean \"mass\"?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "pins": "start"}])"), "did you mean \"pinned\"?"));
+    EXPECT_TRUE(says(in(R"("figures": [{"constraints": [{"particles": []}]}])"), "did you mean \"between\"?"));
+    EXPECT_TRUE(says(in(R"("pins": [{"driver": "orbit", "period": 2}])"), "did you mean \"rate\"?"));
     EXPECT_TRUE(says(in(R"("drivers": [])"), "did you mean \"pins\"?"));
     EXPECT_TRUE(says(in(R"("colliders": [{"figures": []}])"), "did you mean \"figures\" at the top of the file?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "color": "red"}])"), "did you mean \"looks\"?"));
