@@ -19,11 +19,11 @@ static class Sinew
     }
 
     const string Library = "sinew";
-    [DllImport(Library)] static extern int sinew_open([MarshalAs(UnmanagedType.LPUTF8Str)] string scene, IntPtr options, out Simulation simulation);
-    [DllImport(Library)] static extern int sinew_step(Simulation simulation, uint count);
-    [DllImport(Library)] static extern int sinew_find_particle(Simulation simulation, [MarshalAs(UnmanagedType.LPUTF8Str)] string name, out ulong particle);
-    [DllImport(Library)] static extern int sinew_get_particle(Simulation simulation, ulong particle, out ParticleState state);
-    [DllImport(Library)] static extern int sinew_close(Simulation simulation);
+    [DllImport(Library)] static extern int sinew_world_open([MarshalAs(UnmanagedType.LPUTF8Str)] string scene, IntPtr options, out Simulation simulation);
+    [DllImport(Library)] static extern int sinew_world_step(Simulation simulation, uint count);
+    [DllImport(Library)] static extern int sinew_world_find_particle(Simulation simulation, [MarshalAs(UnmanagedType.LPUTF8Str)] string name, out ulong particle);
+    [DllImport(Library)] static extern int sinew_world_get_particle(Simulation simulation, ulong particle, out ParticleState state);
+    [DllImport(Library)] static extern int sinew_world_close(Simulation simulation);
     [DllImport(Library)] static extern IntPtr sinew_message();
 
     static void Check(int status)
@@ -33,15 +33,15 @@ static class Sinew
 
     public static Simulation Open(string scene)
     {
-        Check(sinew_open(scene, IntPtr.Zero, out var simulation));
+        Check(sinew_world_open(scene, IntPtr.Zero, out var simulation));
         return simulation;
     }
-    public static void Step(Simulation simulation, uint count) => Check(sinew_step(simulation, count));
-    public static void Close(Simulation simulation) => Check(sinew_close(simulation));
+    public static void Step(Simulation simulation, uint count) => Check(sinew_world_step(simulation, count));
+    public static void Close(Simulation simulation) => Check(sinew_world_close(simulation));
     public static Point Position(Simulation simulation, string name)
     {
-        Check(sinew_find_particle(simulation, name, out var particle));
-        Check(sinew_get_particle(simulation, particle, out var state));
+        Check(sinew_world_find_particle(simulation, name, out var particle));
+        Check(sinew_world_get_particle(simulation, particle, out var state));
         return state.Position;
     }
 }

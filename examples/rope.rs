@@ -18,11 +18,11 @@ struct ParticleState {
 }
 
 extern "C" {
-    fn sinew_open(scene: *const c_char, options: *const c_void, simulation: *mut Simulation) -> c_int;
-    fn sinew_close(simulation: Simulation) -> c_int;
-    fn sinew_step(simulation: Simulation, count: u32) -> c_int;
-    fn sinew_find_particle(simulation: Simulation, name: *const c_char, particle: *mut u64) -> c_int;
-    fn sinew_get_particle(simulation: Simulation, particle: u64, state: *mut ParticleState) -> c_int;
+    fn sinew_world_open(scene: *const c_char, options: *const c_void, simulation: *mut Simulation) -> c_int;
+    fn sinew_world_close(simulation: Simulation) -> c_int;
+    fn sinew_world_step(simulation: Simulation, count: u32) -> c_int;
+    fn sinew_world_find_particle(simulation: Simulation, name: *const c_char, particle: *mut u64) -> c_int;
+    fn sinew_world_get_particle(simulation: Simulation, particle: u64, state: *mut ParticleState) -> c_int;
     fn sinew_message() -> *const c_char;
 }
 
@@ -40,27 +40,27 @@ impl World {
     fn open(scene: &str) -> Result<World, String> {
         let text = CString::new(scene).map_err(|error| error.to_string())?;
         let mut simulation = Simulation { id: 0 };
-        check(unsafe { sinew_open(text.as_ptr(), std::ptr::null(), &mut simulation) })?;
+        check(unsafe { sinew_world_open(text.as_ptr(), std::ptr::null(), &mut simulation) })?;
         Ok(World(simulation))
     }
 
     fn step(&mut self, count: u32) -> Result<(), String> {
-        check(unsafe { sinew_step(self.0, count) })
+        check(unsafe { sinew_world_step(self.0, count) })
     }
 
     fn position(&self, name: &str) -> Result<[f64; 3], String> {
         let text = CString::new(name).map_err(|error| error.to_string())?;
         let mut particle = 0;
         let mut state: ParticleState = unsafe { std::mem::zeroed() };
-        check(unsafe { sinew_find_particle(self.0, text.as_ptr(), &mut particle) })?;
-        check(unsafe { sinew_get_particle(self.0, particle, &mut state) })?;
+        check(unsafe { sinew_world_find_particle(self.0, text.as_ptr(), &mut particle) })?;
+        check(unsafe { sinew_world_get_particle(self.0, particle, &mut state) })?;
         Ok(state.position)
     }
 }
 
 impl Drop for World {
     fn drop(&mut self) {
-        unsafe { sinew_close(self.0) };
+        unsafe { sinew_world_close(self.0) };
     }
 }
 

@@ -1,12 +1,9 @@
-/* Ropes, a ragdoll and a ball in C11 with SDL2, without a scene file: a world built by calls, drawn by callbacks, thrown about with
- * the mouse.
- *   cc ropes.c -o ropes $(pkg-config --cflags --libs sinew-c sdl2)
- * ropes FRAMES FILE.bmp plays by itself and keeps the last picture (SDL_VIDEODRIVER=dummy: without a screen). */
-#include <sinew.h>
-
+/* Ropes, a ragdoll and a ball in C11 with SDL2, without a scene file: a world built by calls, drawn by callbacks,
+ * thrown about with the mouse. cc ropes.c -o ropes $(pkg-config --cflags --libs sinew-c sdl2) ropes FRAMES FILE.bmp
+ * plays by itself and keeps the last picture (SDL_VIDEODRIVER=dummy: without a screen). */
 #include <SDL.h>
-
 #include <math.h>
+#include <sinew.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -50,25 +47,26 @@ static void complain(void* context, sinew_status status, const char* message) {
     exit(1);
 }
 
-static void add(sinew_simulation world, const char* prefab, double x, double y, const sinew_parameter* parameters, uint32_t count) {
+static void add(sinew_world world, const char* prefab, double x, double y, const sinew_parameter* parameters,
+                uint32_t count) {
     const sinew_figure_spec spec = {.struct_size = sizeof spec,
                                     .prefab = prefab,
                                     .position = {x, y, 0},
                                     .parameters = parameters,
                                     .parameter_count = count};
-    sinew_add_figure(world, &spec, NULL);
+    sinew_world_add_figure(world, &spec, NULL);
 }
 
-static sinew_simulation make_world(void) {
-    sinew_simulation world;
+static sinew_world make_world(void) {
+    sinew_world world;
     const sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -9.81, 0}, .damping = 0.1};
-    sinew_create(&spec, &world);
+    sinew_world_create(&spec, &world);
 
     sinew_collider floor_and_ramp;
     const sinew_point ground[] = {{-5, 1.5, 0}, {-2.5, 0, 0}, {2.5, 0, 0}, {5, 1.5, 0}};
     const sinew_collider_spec terrain = {
         .struct_size = sizeof terrain, .shape = SINEW_TERRAIN_2D, .points = ground, .point_count = 4, .friction = 0.5};
-    sinew_add_collider(world, &terrain, &floor_and_ramp);
+    sinew_world_add_collider(world, &terrain, &floor_and_ramp);
 
     for (int i = 0; i < 5; ++i) {
         const sinew_parameter rope[] = {{"length", 1.2 + 0.3 * i, NULL}, {"segments", 12, NULL}, {"weight", 2, NULL}};
@@ -78,26 +76,27 @@ static sinew_simulation make_world(void) {
 
     sinew_particle ball;
     const sinew_particle_spec heavy = {.position = {-3.5, 2.5, 0}, .mass = 20, .radius = 0.3};
-    sinew_add_particle(world, &heavy, &ball);
+    sinew_world_add_particle(world, &heavy, &ball);
     return world;
 }
 
 /* The mouse, or for the first frames of a test a hand that pulls the third rope aside. */
-static int play(sinew_simulation world, int frame, int alone) {
+static int play(sinew_world world, int frame, int alone) {
     SDL_Event event;
     while (SDL_PollEvent(&event)) {
         if (event.type == SDL_QUIT) return 0;
-        if (event.type == SDL_MOUSEBUTTONDOWN) sinew_grab(world, from_screen(event.button.x, event.button.y), 0.3);
-        if (event.type == SDL_MOUSEMOTION) sinew_drag(world, from_screen(event.motion.x, event.motion.y));
-        if (event.type == SDL_MOUSEBUTTONUP) sinew_let_go(world);
+        if (event.type == SDL_MOUSEBUTTONDOWN)
+            sinew_world_grab(world, from_screen(event.button.x, event.button.y), 0.3);
+        if (event.type == SDL_MOUSEMOTION) sinew_world_drag(world, from_screen(event.motion.x, event.motion.y));
+        if (event.type == SDL_MOUSEBUTTONUP) sinew_world_let_go(world);
     }
     if (alone && frame == 0) {
         sinew_particle end;
-        sinew_find_particle(world, "rope_3/end", &end);
-        sinew_grab_particle(world, end);
+        sinew_world_find_particle(world, "rope_3/end", &end);
+        sinew_world_grab_particle(world, end);
     }
-    if (alone && frame < 40) sinew_drag(world, (sinew_point){-1.8 + frame * 0.03, 3, 0});
-    if (alone && frame == 40) sinew_let_go(world);
+    if (alone && frame < 40) sinew_world_drag(world, (sinew_point){-1.8 + frame * 0.03, 3, 0});
+    if (alone && frame == 40) sinew_world_let_go(world);
     return 1;
 }
 
@@ -107,14 +106,14 @@ int main(int count, char** words) {
     SDL_Window* window = SDL_CreateWindow("ropes", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, WIDTH, HEIGHT, 0);
     SDL_Renderer* renderer = SDL_CreateRenderer(window, -1, frames ? SDL_RENDERER_SOFTWARE : SDL_RENDERER_PRESENTVSYNC);
     sinew_set_log(complain, NULL);
-    const sinew_simulation world = make_world();
+    const sinew_world world = make_world();
     const sinew_debug_draw draw = {
         .struct_size = sizeof draw, .context = renderer, .segment = segment, .sphere = disc, .polygon = polygon};
     for (int frame = 0; (!frames || frame < frames) && play(world, frame, frames); ++frame) {
-        sinew_step(world, 1);
+        sinew_world_step(world, 1);
         color(renderer, 0xf5f3ee);
         SDL_RenderClear(renderer);
-        sinew_draw_debug(world, &draw, 5);
+        sinew_world_draw_debug(world, &draw, 5);
         SDL_RenderPresent(renderer);
     }
     if (count > 2) {
@@ -123,9 +122,9 @@ int main(int count, char** words) {
         SDL_SaveBMP(picture, words[2]);
     }
     sinew_report report;
-    sinew_get_report(world, &report);
+    sinew_world_get_report(world, &report);
     printf("%.0f steps, stretch %.4f %%\n", report.steps, 100 * report.stretch_max);
-    sinew_close(world);
+    sinew_world_close(world);
     SDL_Quit();
     return 0;
 }

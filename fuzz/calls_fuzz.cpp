@@ -70,22 +70,22 @@ class Calls {
   public:
     explicit Calls(Program program) : program_(program) {
         for (const auto* scene : {flat, deep}) {
-            sinew_simulation opened{};
-            demand(sinew_open(scene, nullptr, &opened) == SINEW_OK);
+            sinew_world opened{};
+            demand(sinew_world_open(scene, nullptr, &opened) == SINEW_OK);
             take(opened);
         }
     }
     Calls(const Calls&) = delete;
     Calls& operator=(const Calls&) = delete;
     ~Calls() {
-        for (const auto simulation : simulations_) sinew_close(simulation);
+        for (const auto simulation : simulations_) sinew_world_close(simulation);
     }
 
     void run() {
         constexpr int max_calls = 200;
         for (int i = 0; i < max_calls && !program_.over(); ++i) {
             const auto which = program_.byte();
-            simulation_ = which == 255 ? sinew_simulation{which} : simulations_[which % simulations_.size()];
+            simulation_ = which == 255 ? sinew_world{which} : simulations_[which % simulations_.size()];
             call(program_.byte() % 8);
         }
         for (const auto simulation : simulations_) check(simulation);
@@ -93,8 +93,8 @@ class Calls {
 
   private:
     Program program_;
-    std::vector<sinew_simulation> simulations_; ///< some are closed
-    sinew_simulation simulation_{};             ///< of the present call
+    std::vector<sinew_world> simulations_; ///< some are closed
+    sinew_world simulation_{};             ///< of the present call
     std::vector<std::uint64_t> particles_{0}, constraints_{0}, pins_{0};
 
     void call(int room) {
@@ -118,30 +118,30 @@ class Calls {
         }
     }
 
-    void take(sinew_simulation simulation) {
+    void take(sinew_world simulation) {
         simulations_.push_back(simulation);
         sinew_info info{};
-        demand(sinew_get_info(simulation, &info) == SINEW_OK);
+        demand(sinew_world_get_info(simulation, &info) == SINEW_OK);
         sinew_particle particle = 0;
         for (std::uint32_t row = 0; row < info.particles; row += 3)
-            if (sinew_particle_at(simulation, row, &particle) == SINEW_OK) particles_.push_back(particle);
+            if (sinew_world_particle_at(simulation, row, &particle) == SINEW_OK) particles_.push_back(particle);
         sinew_constraint constraint = 0;
         for (std::uint32_t kind = 0; kind < 8; ++kind)
             for (std::uint32_t row = 0; row < 3; ++row)
-                if (sinew_constraint_at(simulation, kind, row, &constraint) == SINEW_OK)
+                if (sinew_world_constraint_at(simulation, kind, row, &constraint) == SINEW_OK)
                     constraints_.push_back(constraint);
     }
 
-    void step() { sinew_step(simulation_, program_.byte() % 4U); }
+    void step() { sinew_world_step(simulation_, program_.byte() % 4U); }
 
     void handles() {
         constexpr std::size_t max_simulations = 6;
-        sinew_simulation made{};
+        sinew_world made{};
         const auto which = program_.byte() % 4;
-        if (which == 0) sinew_restart(simulation_);
-        if (which == 1 && simulations_.size() > 2) sinew_close(simulation_);
+        if (which == 0) sinew_world_restart(simulation_);
+        if (which == 1 && simulations_.size() > 2) sinew_world_close(simulation_);
         if (simulations_.size() >= max_simulations) return;
-        if (which == 2 && sinew_copy(simulation_, &made) == SINEW_OK) take(made);
+        if (which == 2 && sinew_world_copy(simulation_, &made) == SINEW_OK) take(made);
         if (which == 3) save_and_load();
     }
 
@@ -149,15 +149,16 @@ class Calls {
     void save_and_load() {
         const std::uint8_t* bytes = nullptr;
         std::size_t size = 0;
-        if (sinew_save(simulation_, &bytes, &size) != SINEW_OK) return;
-        sinew_simulation loaded{};
-        demand(sinew_load(bytes, size, nullptr, &loaded) == SINEW_OK);
+        if (sinew_world_save(simulation_, &bytes, &size) != SINEW_OK) return;
+        sinew_world loaded{};
+        demand(sinew_world_load(bytes, size, nullptr, &loaded) == SINEW_OK);
         for (int step = 0; step < 2; ++step) {
             std::uint64_t here = 0, there = 0;
-            demand(sinew_state_hash(simulation_, &here) == SINEW_OK && sinew_state_hash(loaded, &there) == SINEW_OK);
+            demand(sinew_world_state_hash(simulation_, &here) == SINEW_OK &&
+                   sinew_world_state_hash(loaded, &there) == SINEW_OK);
             demand(here == there);
-            sinew_step(simulation_, 1);
-            sinew_step(loaded, 1);
+            sinew_world_step(simulation_, 1);
+            sinew_world_step(loaded, 1);
         }
         take(loaded);
     }
@@ -167,7 +168,7 @@ class Calls {
         if (which == 0) {
             const sinew_particle_spec spec{program_.point(), program_.point(), program_.number(), program_.number()};
             sinew_particle made = 0;
-            if (sinew_add_particle(simulation_, &spec, &made) == SINEW_OK) particles_.push_back(made);
+            if (sinew_world_add_particle(simulation_, &spec, &made) == SINEW_OK) particles_.push_back(made);
         } else if (which == 1) {
             std::array<sinew_particle, 5> of{};
             for (auto& particle : of) particle = program_.id(particles_);
@@ -175,61 +176,63 @@ class Calls {
             const sinew_constraint_spec spec{program_.number(), program_.number(), program_.number(), program_.number(),
                                              program_.number()};
             sinew_constraint made = 0;
-            if (sinew_add_constraint(simulation_, program_.byte() % 10U, of.data(), count, &spec, &made) == SINEW_OK)
+            if (sinew_world_add_constraint(simulation_, program_.byte() % 10U, of.data(), count, &spec, &made) ==
+                SINEW_OK)
                 constraints_.push_back(made);
         } else {
             sinew_pin made = 0;
-            if (sinew_pin_particle(simulation_, program_.id(particles_), &made) == SINEW_OK) pins_.push_back(made);
+            if (sinew_world_pin_particle(simulation_, program_.id(particles_), &made) == SINEW_OK)
+                pins_.push_back(made);
         }
     }
 
     void remove() {
         const auto which = program_.byte() % 4;
-        if (which == 0) sinew_remove_particle(simulation_, program_.id(particles_));
-        if (which == 1) sinew_remove_constraint(simulation_, program_.id(constraints_));
-        if (which == 2) sinew_unpin(simulation_, program_.id(pins_));
+        if (which == 0) sinew_world_remove_particle(simulation_, program_.id(particles_));
+        if (which == 1) sinew_world_remove_constraint(simulation_, program_.id(constraints_));
+        if (which == 2) sinew_world_unpin(simulation_, program_.id(pins_));
         if (which == 3) {
             std::uint32_t count = 0;
-            sinew_cut(simulation_, program_.point(), program_.point(), &count);
+            sinew_world_cut(simulation_, program_.point(), program_.point(), &count);
         }
     }
 
     void change_particle() {
         const auto which = program_.byte() % 6;
         const auto particle = program_.id(particles_);
-        if (which == 0) sinew_set_position(simulation_, particle, program_.point());
-        if (which == 1) sinew_set_velocity(simulation_, particle, program_.point());
-        if (which == 2) sinew_set_mass(simulation_, particle, program_.number());
-        if (which == 3) sinew_set_radius(simulation_, particle, program_.number());
-        if (which == 4) sinew_apply_force(simulation_, particle, program_.point());
-        if (which == 5) sinew_apply_impulse(simulation_, particle, program_.point());
+        if (which == 0) sinew_world_set_position(simulation_, particle, program_.point());
+        if (which == 1) sinew_world_set_velocity(simulation_, particle, program_.point());
+        if (which == 2) sinew_world_set_mass(simulation_, particle, program_.number());
+        if (which == 3) sinew_world_set_radius(simulation_, particle, program_.number());
+        if (which == 4) sinew_world_apply_force(simulation_, particle, program_.point());
+        if (which == 5) sinew_world_apply_impulse(simulation_, particle, program_.point());
     }
 
     void change_constraint() {
         const auto which = program_.byte() % 6;
         const auto constraint = program_.id(constraints_);
         const auto number = program_.number();
-        if (which == 0) sinew_set_limits(simulation_, constraint, number, program_.number());
-        if (which == 1) sinew_set_compliance(simulation_, constraint, number);
-        if (which == 2) sinew_set_max_force(simulation_, constraint, number);
-        if (which == 3) sinew_set_breaking_strain(simulation_, constraint, number);
-        if (which == 4) sinew_set_break_force(simulation_, constraint, number);
-        if (which == 5) sinew_drive(simulation_, constraint, number);
+        if (which == 0) sinew_world_set_limits(simulation_, constraint, number, program_.number());
+        if (which == 1) sinew_world_set_compliance(simulation_, constraint, number);
+        if (which == 2) sinew_world_set_max_force(simulation_, constraint, number);
+        if (which == 3) sinew_world_set_breaking_strain(simulation_, constraint, number);
+        if (which == 4) sinew_world_set_break_force(simulation_, constraint, number);
+        if (which == 5) sinew_world_drive(simulation_, constraint, number);
     }
 
     void point() {
         const auto which = program_.byte() % 7;
-        if (which == 0) sinew_grab(simulation_, program_.point(), program_.number());
-        if (which == 1) sinew_grab_particle(simulation_, program_.id(particles_));
-        if (which == 2) sinew_drag(simulation_, program_.point());
-        if (which == 3) sinew_let_go(simulation_);
-        if (which == 4) sinew_point_at(simulation_, program_.point());
-        if (which == 5) sinew_move_pin(simulation_, program_.id(pins_), program_.point());
+        if (which == 0) sinew_world_grab(simulation_, program_.point(), program_.number());
+        if (which == 1) sinew_world_grab_particle(simulation_, program_.id(particles_));
+        if (which == 2) sinew_world_drag(simulation_, program_.point());
+        if (which == 3) sinew_world_let_go(simulation_);
+        if (which == 4) sinew_world_point_at(simulation_, program_.point());
+        if (which == 5) sinew_world_move_pin(simulation_, program_.id(pins_), program_.point());
         if (which == 6) {
             sinew_collider table = 0;
-            if (sinew_find_collider(simulation_, "table", &table) != SINEW_OK) return;
+            if (sinew_world_find_collider(simulation_, "table", &table) != SINEW_OK) return;
             const auto axis = program_.point();
-            sinew_move_collider(simulation_, table, program_.point(), program_.number(), &axis);
+            sinew_world_move_collider(simulation_, table, program_.point(), program_.number(), &axis);
         }
     }
 
@@ -238,22 +241,22 @@ class Calls {
         sinew_view view{};
         std::uint32_t count = 0;
         const auto which = program_.byte();
-        if (which % 4 == 0) sinew_draw(simulation_, 1U + which, 100, which, &picture);
-        if (which % 4 == 1) sinew_get_column(simulation_, sinew_column(which % 13), &view);
-        if (which % 4 == 2) sinew_list_contacts(simulation_, which % 8U);
-        if (which % 4 == 3) sinew_contact_count(simulation_, &count);
+        if (which % 4 == 0) sinew_world_draw(simulation_, 1U + which, 100, which, &picture);
+        if (which % 4 == 1) sinew_world_get_column(simulation_, sinew_column(which % 13), &view);
+        if (which % 4 == 2) sinew_world_list_contacts(simulation_, which % 8U);
+        if (which % 4 == 3) sinew_world_contact_count(simulation_, &count);
         check(simulation_);
     }
 
     /// Positions are finite: what is not is frozen where it was.
-    static void check(sinew_simulation simulation) {
+    static void check(sinew_world simulation) {
         sinew_info info{};
-        if (sinew_step(simulation, 1) != SINEW_OK || sinew_get_info(simulation, &info) != SINEW_OK) return;
+        if (sinew_world_step(simulation, 1) != SINEW_OK || sinew_world_get_info(simulation, &info) != SINEW_OK) return;
         for (std::uint32_t row = 0; row < info.particles; ++row) {
             sinew_particle particle = 0;
             sinew_particle_state state{};
-            demand(sinew_particle_at(simulation, row, &particle) == SINEW_OK);
-            demand(sinew_get_particle(simulation, particle, &state) == SINEW_OK);
+            demand(sinew_world_particle_at(simulation, row, &particle) == SINEW_OK);
+            demand(sinew_world_get_particle(simulation, particle, &state) == SINEW_OK);
             for (const double x : state.position) demand(std::isfinite(x));
         }
     }

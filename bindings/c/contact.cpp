@@ -83,7 +83,7 @@ template <class WorldT, class Visit> void each_contact(const WorldT& world, Visi
 
 extern "C" {
 
-sinew_status sinew_list_contacts(sinew_simulation simulation, uint32_t on) {
+sinew_status sinew_world_list_contacts(sinew_world simulation, uint32_t on) {
     return change(simulation, [&](Session& session) {
         std::visit([&](auto& world) { world.contacts.lists_figures = world.contacts.lists_planes = on != 0; },
                    session.world());
@@ -91,7 +91,7 @@ sinew_status sinew_list_contacts(sinew_simulation simulation, uint32_t on) {
     });
 }
 
-sinew_status sinew_contact_count(sinew_simulation simulation, uint32_t* count) {
+sinew_status sinew_world_contact_count(sinew_world simulation, uint32_t* count) {
     if (!count) return null_argument();
     return read(simulation, [&](Simulation& known, const Session& session) {
         known.contacts.clear();
@@ -105,7 +105,7 @@ sinew_status sinew_contact_count(sinew_simulation simulation, uint32_t* count) {
     });
 }
 
-sinew_status sinew_contact_at(sinew_simulation simulation, uint32_t index, sinew_contact* contact) {
+sinew_status sinew_world_contact_at(sinew_world simulation, uint32_t index, sinew_contact* contact) {
     if (!contact) return null_argument();
     return read(simulation, [&](const Simulation& known, const Session&) {
         if (index >= known.contacts.size()) return fail(SINEW_NOT_FOUND, "there are fewer contacts");
@@ -114,7 +114,7 @@ sinew_status sinew_contact_at(sinew_simulation simulation, uint32_t index, sinew
     });
 }
 
-sinew_status sinew_find_collider(sinew_simulation simulation, const char* name, sinew_collider* collider) {
+sinew_status sinew_world_find_collider(sinew_world simulation, const char* name, sinew_collider* collider) {
     if (!name || !collider) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return std::visit(
@@ -128,8 +128,8 @@ sinew_status sinew_find_collider(sinew_simulation simulation, const char* name, 
     });
 }
 
-sinew_status sinew_move_collider(sinew_simulation simulation, sinew_collider collider, sinew_point position,
-                                 double turn, const sinew_point* axis) {
+sinew_status sinew_world_move_collider(sinew_world simulation, sinew_collider collider, sinew_point position,
+                                       double turn, const sinew_point* axis) {
     if (!is_finite(position) || !std::isfinite(turn) || (axis && !is_finite(*axis)))
         return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
     return change(simulation, [&](Session& session) {

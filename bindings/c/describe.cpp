@@ -83,7 +83,7 @@ sinew_status sinew_describe(const char* topic, const char** json) {
     return SINEW_OK;
 }
 
-sinew_status sinew_parameters(sinew_simulation simulation, const char** json) {
+sinew_status sinew_world_parameters(sinew_world simulation, const char** json) {
     if (!json) return null_argument();
     return read(simulation, [&](Simulation& known, const Session& session) {
         known.text = json::to_text(parameters_of(session.scene()));

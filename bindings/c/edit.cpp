@@ -15,7 +15,7 @@ using namespace sinew::c;
 namespace {
 
 /// Calls work(world) of a simulation that may be changed.
-template <class Work> sinew_status in_world(sinew_simulation simulation, const Work& work) {
+template <class Work> sinew_status in_world(sinew_world simulation, const Work& work) {
     return change(simulation, [&](Session& session) { return std::visit(work, session.world()); });
 }
 
@@ -29,7 +29,7 @@ sinew_status not_finite() {
 
 /// Calls work(world, id) for a constraint that exists.
 template <class Work>
-sinew_status in_constraint(sinew_simulation simulation, sinew_constraint constraint, const Work& work) {
+sinew_status in_constraint(sinew_world simulation, sinew_constraint constraint, const Work& work) {
     return in_world(simulation, [&](auto& world) {
         const auto id = constraint_of(constraint);
         return constraint_state(world, id) ? work(world, id) : bad_id("constraint");
@@ -38,7 +38,7 @@ sinew_status in_constraint(sinew_simulation simulation, sinew_constraint constra
 
 /// Calls set(world, id, value) for a number of a constraint that is not negative.
 template <class Set>
-sinew_status set_number(sinew_simulation simulation, sinew_constraint constraint, double value, const Set& set) {
+sinew_status set_number(sinew_world simulation, sinew_constraint constraint, double value, const Set& set) {
     if (!(value >= 0)) return fail(SINEW_BAD_ARGUMENT, "the number is negative, or no number");
     return in_constraint(simulation, constraint, [&]<int D, class Real>(World<D, Real>& world, const ConstraintId& id) {
         return found(set(world, id, Real(value)), "constraint");
@@ -95,8 +95,8 @@ extern "C" {
 // --- particles and constraints
 // -----------------------------------------------------------------------------------------
 
-sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particle_spec* spec,
-                                sinew_particle* particle) {
+sinew_status sinew_world_add_particle(sinew_world simulation, const sinew_particle_spec* spec,
+                                      sinew_particle* particle) {
     if (!spec || !particle) return null_argument();
     if (!is_finite(spec->position) || !is_finite(spec->velocity)) return not_finite();
     if (!(spec->mass >= min_mass) || !is_radius(spec->radius))
@@ -110,15 +110,15 @@ sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particl
     });
 }
 
-sinew_status sinew_remove_particle(sinew_simulation simulation, sinew_particle particle) {
+sinew_status sinew_world_remove_particle(sinew_world simulation, sinew_particle particle) {
     return in_world(simulation, [&](auto& world) {
         const auto id = id_of<ParticleTag>(particle);
         return found(remove_particles(world, std::span(&id, 1)) > 0, "particle");
     });
 }
 
-sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_t kind, const sinew_particle* particles,
-                                  size_t count, const sinew_constraint_spec* spec, sinew_constraint* constraint) {
+sinew_status sinew_world_add_constraint(sinew_world simulation, uint32_t kind, const sinew_particle* particles,
+                                        size_t count, const sinew_constraint_spec* spec, sinew_constraint* constraint) {
     if (!particles || !constraint) return null_argument();
     if (spec && !is_possible(*spec)) return fail(SINEW_BAD_ARGUMENT, "a number of the constraint is not possible");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
@@ -135,7 +135,7 @@ sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_t kind, co
     });
 }
 
-sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constraint constraint) {
+sinew_status sinew_world_remove_constraint(sinew_world simulation, sinew_constraint constraint) {
     return in_world(simulation, [&](auto& world) {
         const auto id = constraint_of(constraint);
         return found(remove_constraints(world, std::span(&id, 1)) > 0, "constraint");
@@ -145,7 +145,7 @@ sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constrai
 // --- values of a constraint
 // --------------------------------------------------------------------------------------------
 
-sinew_status sinew_set_limits(sinew_simulation simulation, sinew_constraint constraint, double low, double high) {
+sinew_status sinew_world_set_limits(sinew_world simulation, sinew_constraint constraint, double low, double high) {
     if (!(low <= high)) return fail(SINEW_BAD_ARGUMENT, "low is above high, or not a number");
     return in_constraint(simulation, constraint, [&]<int D, class Real>(World<D, Real>& world, const ConstraintId& id) {
         if (set_limits(world, id, between(Real(low), Real(high)))) return SINEW_OK;
@@ -153,30 +153,30 @@ sinew_status sinew_set_limits(sinew_simulation simulation, sinew_constraint cons
     });
 }
 
-sinew_status sinew_set_compliance(sinew_simulation simulation, sinew_constraint constraint, double compliance) {
+sinew_status sinew_world_set_compliance(sinew_world simulation, sinew_constraint constraint, double compliance) {
     return set_number(simulation, constraint, compliance,
                       [](auto& world, const ConstraintId& id, auto value) { return set_compliance(world, id, value); });
 }
 
-sinew_status sinew_set_max_force(sinew_simulation simulation, sinew_constraint constraint, double max_force) {
+sinew_status sinew_world_set_max_force(sinew_world simulation, sinew_constraint constraint, double max_force) {
     return set_number(simulation, constraint, max_force, [](auto& world, const ConstraintId& id, auto value) {
         return set_max_force(world, id, or_never(value));
     });
 }
 
-sinew_status sinew_set_breaking_strain(sinew_simulation simulation, sinew_constraint constraint, double strain) {
+sinew_status sinew_world_set_breaking_strain(sinew_world simulation, sinew_constraint constraint, double strain) {
     return set_number(simulation, constraint, strain, [](auto& world, const ConstraintId& id, auto value) {
         return set_breaking_strain(world, id, or_never(value));
     });
 }
 
-sinew_status sinew_set_break_force(sinew_simulation simulation, sinew_constraint constraint, double force) {
+sinew_status sinew_world_set_break_force(sinew_world simulation, sinew_constraint constraint, double force) {
     return set_number(simulation, constraint, force, [](auto& world, const ConstraintId& id, auto value) {
         return set_break_force(world, id, or_never(value));
     });
 }
 
-sinew_status sinew_drive(sinew_simulation simulation, sinew_constraint constraint, double rate) {
+sinew_status sinew_world_drive(sinew_world simulation, sinew_constraint constraint, double rate) {
     if (!std::isfinite(rate)) return not_finite();
     return in_constraint(simulation, constraint, [&]<int D, class Real>(World<D, Real>& world, const ConstraintId& id) {
         if (drive(world, id, Real(rate))) return SINEW_OK;
@@ -188,42 +188,42 @@ sinew_status sinew_drive(sinew_simulation simulation, sinew_constraint constrain
 // --- state of a particle
 // -----------------------------------------------------------------------------------------------
 
-sinew_status sinew_set_position(sinew_simulation simulation, sinew_particle particle, sinew_point position) {
+sinew_status sinew_world_set_position(sinew_world simulation, sinew_particle particle, sinew_point position) {
     if (!is_finite(position)) return not_finite();
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(set_position(world, id_of<ParticleTag>(particle), vector_of<D, Real>(position)), "particle");
     });
 }
 
-sinew_status sinew_set_velocity(sinew_simulation simulation, sinew_particle particle, sinew_point velocity) {
+sinew_status sinew_world_set_velocity(sinew_world simulation, sinew_particle particle, sinew_point velocity) {
     if (!is_finite(velocity)) return not_finite();
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(set_velocity(world, id_of<ParticleTag>(particle), vector_of<D, Real>(velocity)), "particle");
     });
 }
 
-sinew_status sinew_set_mass(sinew_simulation simulation, sinew_particle particle, double mass) {
+sinew_status sinew_world_set_mass(sinew_world simulation, sinew_particle particle, double mass) {
     if (!(mass >= min_mass)) return fail(SINEW_BAD_ARGUMENT, "a mass is at least 1e-30");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(set_mass(world, id_of<ParticleTag>(particle), Real(mass)), "particle");
     });
 }
 
-sinew_status sinew_set_radius(sinew_simulation simulation, sinew_particle particle, double radius) {
+sinew_status sinew_world_set_radius(sinew_world simulation, sinew_particle particle, double radius) {
     if (!is_radius(radius)) return fail(SINEW_BAD_ARGUMENT, "a radius is at least 0 and finite");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(set_radius(world, id_of<ParticleTag>(particle), Real(radius)), "particle");
     });
 }
 
-sinew_status sinew_apply_force(sinew_simulation simulation, sinew_particle particle, sinew_point force) {
+sinew_status sinew_world_apply_force(sinew_world simulation, sinew_particle particle, sinew_point force) {
     if (!is_finite(force)) return not_finite();
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(apply_force(world, id_of<ParticleTag>(particle), vector_of<D, Real>(force)), "particle");
     });
 }
 
-sinew_status sinew_apply_impulse(sinew_simulation simulation, sinew_particle particle, sinew_point impulse) {
+sinew_status sinew_world_apply_impulse(sinew_world simulation, sinew_particle particle, sinew_point impulse) {
     if (!is_finite(impulse)) return not_finite();
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(apply_impulse(world, id_of<ParticleTag>(particle), vector_of<D, Real>(impulse)), "particle");
@@ -233,7 +233,7 @@ sinew_status sinew_apply_impulse(sinew_simulation simulation, sinew_particle par
 // --- pins
 // --------------------------------------------------------------------------------------------------------------
 
-sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_particle particle, sinew_pin* pin) {
+sinew_status sinew_world_pin_particle(sinew_world simulation, sinew_particle particle, sinew_pin* pin) {
     if (!pin) return null_argument();
     return in_world(simulation, [&](auto& world) {
         const auto added = sinew::pin(world, id_of<ParticleTag>(particle));
@@ -242,21 +242,21 @@ sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_particle part
     });
 }
 
-sinew_status sinew_move_pin(sinew_simulation simulation, sinew_pin pin, sinew_point target) {
+sinew_status sinew_world_move_pin(sinew_world simulation, sinew_pin pin, sinew_point target) {
     if (!is_finite(target)) return not_finite();
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         return found(move_pin(world, id_of<PinTag>(pin), vector_of<D, Real>(target)), "pin");
     });
 }
 
-sinew_status sinew_unpin(sinew_simulation simulation, sinew_pin pin) {
+sinew_status sinew_world_unpin(sinew_world simulation, sinew_pin pin) {
     return in_world(simulation, [&](auto& world) { return found(unpin(world, id_of<PinTag>(pin)), "pin"); });
 }
 
 // --- pointer
 // -----------------------------------------------------------------------------------------------------------
 
-sinew_status sinew_grab(sinew_simulation simulation, sinew_point at, double radius) {
+sinew_status sinew_world_grab(sinew_world simulation, sinew_point at, double radius) {
     if (!is_finite(at) || !(radius >= 0)) return not_finite();
     return change(simulation, [&](Session& session) {
         const auto view = own_view(session);
@@ -268,7 +268,7 @@ sinew_status sinew_grab(sinew_simulation simulation, sinew_point at, double radi
     });
 }
 
-sinew_status sinew_grab_particle(sinew_simulation simulation, sinew_particle particle) {
+sinew_status sinew_world_grab_particle(sinew_world simulation, sinew_particle particle) {
     return change(simulation, [&](Session& session) {
         const auto id = id_of<ParticleTag>(particle);
         const auto position = position_of(session.world(), std::span(&id, 1));
@@ -278,7 +278,7 @@ sinew_status sinew_grab_particle(sinew_simulation simulation, sinew_particle par
     });
 }
 
-sinew_status sinew_drag(sinew_simulation simulation, sinew_point to) {
+sinew_status sinew_world_drag(sinew_world simulation, sinew_point to) {
     if (!is_finite(to)) return not_finite();
     return change(simulation, [&](Session& session) {
         session.drag(point_of(to));
@@ -286,14 +286,14 @@ sinew_status sinew_drag(sinew_simulation simulation, sinew_point to) {
     });
 }
 
-sinew_status sinew_let_go(sinew_simulation simulation) {
+sinew_status sinew_world_let_go(sinew_world simulation) {
     return change(simulation, [](Session& session) {
         session.let_go();
         return SINEW_OK;
     });
 }
 
-sinew_status sinew_point_at(sinew_simulation simulation, sinew_point at) {
+sinew_status sinew_world_point_at(sinew_world simulation, sinew_point at) {
     if (!is_finite(at)) return not_finite();
     return change(simulation, [&](Session& session) {
         session.point_at(point_of(at));
@@ -301,7 +301,7 @@ sinew_status sinew_point_at(sinew_simulation simulation, sinew_point at) {
     });
 }
 
-sinew_status sinew_cut(sinew_simulation simulation, sinew_point from, sinew_point to, uint32_t* count) {
+sinew_status sinew_world_cut(sinew_world simulation, sinew_point from, sinew_point to, uint32_t* count) {
     if (!is_finite(from) || !is_finite(to)) return not_finite();
     return change(simulation, [&](Session& session) {
         const auto cut = session.cut({point_of(from), point_of(to)});

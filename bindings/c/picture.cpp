@@ -54,8 +54,8 @@ sinew_status no_size() {
 
 extern "C" {
 
-sinew_status sinew_draw(sinew_simulation simulation, uint32_t width, uint32_t height, uint32_t overlay_bits,
-                        sinew_picture* picture) {
+sinew_status sinew_world_draw(sinew_world simulation, uint32_t width, uint32_t height, uint32_t overlay_bits,
+                              sinew_picture* picture) {
     if (!picture) return null_argument();
     if (!is_size(width, height)) return no_size();
     return read(simulation, [&](Simulation& known, const Session& session) {
@@ -67,7 +67,7 @@ sinew_status sinew_draw(sinew_simulation simulation, uint32_t width, uint32_t he
     });
 }
 
-sinew_status sinew_picture_text(sinew_simulation simulation, uint32_t index, const char** text) {
+sinew_status sinew_world_picture_text(sinew_world simulation, uint32_t index, const char** text) {
     if (!text) return null_argument();
     return read(simulation, [&](const Simulation& known, const Session&) {
         if (index >= known.drawn.picture.texts.size()) return fail(SINEW_NOT_FOUND, "there are fewer texts");
@@ -76,7 +76,7 @@ sinew_status sinew_picture_text(sinew_simulation simulation, uint32_t index, con
     });
 }
 
-sinew_status sinew_picture_image(sinew_simulation simulation, uint32_t index, const char** name) {
+sinew_status sinew_world_picture_image(sinew_world simulation, uint32_t index, const char** name) {
     if (!name) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         if (index >= session.images().size()) return fail(SINEW_NOT_FOUND, "there are fewer images");
@@ -85,8 +85,8 @@ sinew_status sinew_picture_image(sinew_simulation simulation, uint32_t index, co
     });
 }
 
-sinew_status sinew_unproject(sinew_simulation simulation, uint32_t width, uint32_t height, double x, double y,
-                             sinew_point* position) {
+sinew_status sinew_world_unproject(sinew_world simulation, uint32_t width, uint32_t height, double x, double y,
+                                   sinew_point* position) {
     if (!position) return null_argument();
     if (!is_size(width, height)) return no_size();
     return read(simulation, [&](const Simulation&, const Session& session) {
@@ -96,8 +96,8 @@ sinew_status sinew_unproject(sinew_simulation simulation, uint32_t width, uint32
     });
 }
 
-sinew_status sinew_project(sinew_simulation simulation, uint32_t width, uint32_t height, sinew_point position,
-                           double* x, double* y) {
+sinew_status sinew_world_project(sinew_world simulation, uint32_t width, uint32_t height, sinew_point position,
+                                 double* x, double* y) {
     if (!x || !y) return null_argument();
     if (!is_size(width, height)) return no_size();
     return read(simulation, [&](const Simulation&, const Session& session) {

@@ -172,7 +172,7 @@ extern "C" {
 
 // --- opening ---------------------------------------------------------------------------------------------------------
 
-sinew_status sinew_play(const char* scene, const sinew_open_options* options, sinew_player* player) {
+sinew_status sinew_player_create(const char* scene, const sinew_open_options* options, sinew_player* player) {
     if (!player) return null_argument();
     SceneFile file;
     if (const auto status = SceneFile::read(scene, options, file)) return status;
@@ -213,7 +213,7 @@ sinew_status sinew_player_close(sinew_player player) {
     return players().remove(player.id) ? SINEW_OK : bad_handle();
 }
 
-sinew_status sinew_player_simulation(sinew_player player, uint32_t pane, sinew_simulation* simulation) {
+sinew_status sinew_player_world(sinew_player player, uint32_t pane, sinew_world* simulation) {
     if (!simulation) return null_argument();
     return with(player, [&](Player& known) {
         if (pane >= known.play->pane_count()) return fail(SINEW_NOT_FOUND, "there are fewer panes");

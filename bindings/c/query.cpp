@@ -146,7 +146,7 @@ sinew_status no_kind() {
 
 extern "C" {
 
-sinew_status sinew_get_info(sinew_simulation simulation, sinew_info* info) {
+sinew_status sinew_world_get_info(sinew_world simulation, sinew_info* info) {
     if (!info) return null_argument();
     return read(simulation, [&](const Simulation& known, const Session& session) {
         const auto& scene = session.scene();
@@ -174,7 +174,7 @@ sinew_status sinew_get_info(sinew_simulation simulation, sinew_info* info) {
     });
 }
 
-sinew_status sinew_get_report(sinew_simulation simulation, sinew_report* report) {
+sinew_status sinew_world_get_report(sinew_world simulation, sinew_report* report) {
     if (!report) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         const auto now = session.report();
@@ -184,7 +184,7 @@ sinew_status sinew_get_report(sinew_simulation simulation, sinew_report* report)
     });
 }
 
-sinew_status sinew_state_hash(sinew_simulation simulation, uint64_t* hash) {
+sinew_status sinew_world_state_hash(sinew_world simulation, uint64_t* hash) {
     if (!hash) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         *hash = in_world(session, [](const auto& world) { return state_hash(world); });
@@ -192,7 +192,7 @@ sinew_status sinew_state_hash(sinew_simulation simulation, uint64_t* hash) {
     });
 }
 
-sinew_status sinew_get_column(sinew_simulation simulation, sinew_column column, sinew_view* view) {
+sinew_status sinew_world_get_column(sinew_world simulation, sinew_column column, sinew_view* view) {
     if (!view) return null_argument();
     return read(simulation, [&](Simulation& known, const Session& session) {
         const auto found = in_world(session, [&](const auto& world) { return column_of(world, int(column), known); });
@@ -204,7 +204,7 @@ sinew_status sinew_get_column(sinew_simulation simulation, sinew_column column, 
 
 // --- particles -------------------------------------------------------------------------------------------------------
 
-sinew_status sinew_particle_at(sinew_simulation simulation, uint32_t row, sinew_particle* particle) {
+sinew_status sinew_world_particle_at(sinew_world simulation, uint32_t row, sinew_particle* particle) {
     if (!particle) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -215,7 +215,7 @@ sinew_status sinew_particle_at(sinew_simulation simulation, uint32_t row, sinew_
     });
 }
 
-sinew_status sinew_row_of(sinew_simulation simulation, sinew_particle particle, uint32_t* row) {
+sinew_status sinew_world_row_of(sinew_world simulation, sinew_particle particle, uint32_t* row) {
     if (!row) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -227,7 +227,7 @@ sinew_status sinew_row_of(sinew_simulation simulation, sinew_particle particle, 
     });
 }
 
-sinew_status sinew_find_particle(sinew_simulation simulation, const char* name, sinew_particle* particle) {
+sinew_status sinew_world_find_particle(sinew_world simulation, const char* name, sinew_particle* particle) {
     if (!name || !particle) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -239,7 +239,7 @@ sinew_status sinew_find_particle(sinew_simulation simulation, const char* name, 
     });
 }
 
-sinew_status sinew_particle_name(sinew_simulation simulation, sinew_particle particle, const char** name) {
+sinew_status sinew_world_particle_name(sinew_world simulation, sinew_particle particle, const char** name) {
     if (!name) return null_argument();
     return read(simulation, [&](Simulation& known, const Session& session) {
         const auto id = id_of<ParticleTag>(particle);
@@ -250,7 +250,7 @@ sinew_status sinew_particle_name(sinew_simulation simulation, sinew_particle par
     });
 }
 
-sinew_status sinew_get_particle(sinew_simulation simulation, sinew_particle particle, sinew_particle_state* state) {
+sinew_status sinew_world_get_particle(sinew_world simulation, sinew_particle particle, sinew_particle_state* state) {
     if (!state) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -264,7 +264,7 @@ sinew_status sinew_get_particle(sinew_simulation simulation, sinew_particle part
 
 // --- constraints -----------------------------------------------------------------------------------------------------
 
-sinew_status sinew_find_constraint(sinew_simulation simulation, const char* name, sinew_constraint* constraint) {
+sinew_status sinew_world_find_constraint(sinew_world simulation, const char* name, sinew_constraint* constraint) {
     if (!name || !constraint) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -276,8 +276,8 @@ sinew_status sinew_find_constraint(sinew_simulation simulation, const char* name
     });
 }
 
-sinew_status sinew_get_constraint(sinew_simulation simulation, sinew_constraint constraint,
-                                  sinew_constraint_state* state) {
+sinew_status sinew_world_get_constraint(sinew_world simulation, sinew_constraint constraint,
+                                        sinew_constraint_state* state) {
     if (!state) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -289,7 +289,7 @@ sinew_status sinew_get_constraint(sinew_simulation simulation, sinew_constraint 
     });
 }
 
-sinew_status sinew_constraint_count(sinew_simulation simulation, uint32_t kind, uint32_t* count) {
+sinew_status sinew_world_constraint_count(sinew_world simulation, uint32_t kind, uint32_t* count) {
     if (!count) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -299,8 +299,8 @@ sinew_status sinew_constraint_count(sinew_simulation simulation, uint32_t kind, 
     });
 }
 
-sinew_status sinew_constraint_at(sinew_simulation simulation, uint32_t kind, uint32_t row,
-                                 sinew_constraint* constraint) {
+sinew_status sinew_world_constraint_at(sinew_world simulation, uint32_t kind, uint32_t row,
+                                       sinew_constraint* constraint) {
     if (!constraint) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -317,7 +317,7 @@ sinew_status sinew_constraint_at(sinew_simulation simulation, uint32_t kind, uin
 
 // --- figures and events ----------------------------------------------------------------------------------------------
 
-sinew_status sinew_figure_at(sinew_simulation simulation, uint32_t index, sinew_figure* figure) {
+sinew_status sinew_world_figure_at(sinew_world simulation, uint32_t index, sinew_figure* figure) {
     if (!figure) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
@@ -331,7 +331,7 @@ sinew_status sinew_figure_at(sinew_simulation simulation, uint32_t index, sinew_
     });
 }
 
-sinew_status sinew_event_count(sinew_simulation simulation, uint32_t* count) {
+sinew_status sinew_world_event_count(sinew_world simulation, uint32_t* count) {
     if (!count) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         *count = std::uint32_t(session.happenings().size());
@@ -339,7 +339,7 @@ sinew_status sinew_event_count(sinew_simulation simulation, uint32_t* count) {
     });
 }
 
-sinew_status sinew_event_at(sinew_simulation simulation, uint32_t index, sinew_event* event) {
+sinew_status sinew_world_event_at(sinew_world simulation, uint32_t index, sinew_event* event) {
     if (!event) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         if (index >= session.happenings().size()) return fail(SINEW_NOT_FOUND, "there are fewer events");

@@ -11,7 +11,7 @@ using namespace sinew::c;
 namespace {
 
 /// Calls work(world) and returns its status.
-template <class Work> sinew_status ask(sinew_simulation simulation, const Work& work) {
+template <class Work> sinew_status ask(sinew_world simulation, const Work& work) {
     return read(simulation,
                 [&](const Simulation&, const Session& session) { return std::visit(work, session.world()); });
 }
@@ -57,8 +57,8 @@ template <class Ids> void hand_out(const Ids& found, std::uint64_t* ids, std::si
 
 /// Calls search(world, shape, pose) for a list of ids.
 template <class Search>
-sinew_status search_region(sinew_simulation simulation, const sinew_region* region, std::uint64_t* ids,
-                           std::size_t room, std::size_t* count, const Search& search) {
+sinew_status search_region(sinew_world simulation, const sinew_region* region, std::uint64_t* ids, std::size_t room,
+                           std::size_t* count, const Search& search) {
     if (!region || !count || (room > 0 && !ids)) return null_argument();
     if (!is_region(*region)) return no_reach();
     return ask(simulation, [&]<int D, class Real>(const World<D, Real>& world) {
@@ -71,8 +71,8 @@ sinew_status search_region(sinew_simulation simulation, const sinew_region* regi
 
 extern "C" {
 
-sinew_status sinew_nearest_particle(sinew_simulation simulation, sinew_point at, double reach, sinew_particle* particle,
-                                    double* distance) {
+sinew_status sinew_world_nearest_particle(sinew_world simulation, sinew_point at, double reach,
+                                          sinew_particle* particle, double* distance) {
     if (!particle) return null_argument();
     if (!is_finite(at) || !is_reach(reach)) return no_reach();
     return ask(simulation, [&]<int D, class Real>(const World<D, Real>& world) {
@@ -84,8 +84,8 @@ sinew_status sinew_nearest_particle(sinew_simulation simulation, sinew_point at,
     });
 }
 
-sinew_status sinew_nearest_link(sinew_simulation simulation, sinew_point at, double reach, sinew_constraint* link,
-                                double* t, double* distance) {
+sinew_status sinew_world_nearest_link(sinew_world simulation, sinew_point at, double reach, sinew_constraint* link,
+                                      double* t, double* distance) {
     if (!link) return null_argument();
     if (!is_finite(at) || !is_reach(reach)) return no_reach();
     return ask(simulation, [&]<int D, class Real>(const World<D, Real>& world) {
@@ -98,8 +98,8 @@ sinew_status sinew_nearest_link(sinew_simulation simulation, sinew_point at, dou
     });
 }
 
-sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew_point to, double radius, uint32_t mask,
-                            sinew_ray_hit* hit) {
+sinew_status sinew_world_cast_ray(sinew_world simulation, sinew_point from, sinew_point to, double radius,
+                                  uint32_t mask, sinew_ray_hit* hit) {
     if (!hit) return null_argument();
     if (!is_finite(from) || !is_finite(to) || !is_reach(radius)) return no_reach();
     return ask(simulation, [&]<int D, class Real>(const World<D, Real>& world) {
@@ -117,16 +117,16 @@ sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew
     });
 }
 
-sinew_status sinew_overlapping_particles(sinew_simulation simulation, const sinew_region* region,
-                                         sinew_particle* particles, size_t room, size_t* count) {
+sinew_status sinew_world_overlapping_particles(sinew_world simulation, const sinew_region* region,
+                                               sinew_particle* particles, size_t room, size_t* count) {
     return search_region(simulation, region, particles, room, count,
                          [](const auto& world, const auto& shape, const auto& pose) {
                              return overlapping_particles(world, shape, pose);
                          });
 }
 
-sinew_status sinew_overlapping_links(sinew_simulation simulation, const sinew_region* region, sinew_constraint* links,
-                                     size_t room, size_t* count) {
+sinew_status sinew_world_overlapping_links(sinew_world simulation, const sinew_region* region, sinew_constraint* links,
+                                           size_t room, size_t* count) {
     return search_region(
         simulation, region, links, room, count,
         [](const auto& world, const auto& shape, const auto& pose) { return overlapping_links(world, shape, pose); });

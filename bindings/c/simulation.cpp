@@ -42,7 +42,7 @@ namespace {
 constexpr int kind_bits = 5;
 constexpr std::uint32_t max_slots = 1u << (32 - kind_bits);
 
-sinew_status add(Session session, sinew_simulation* handle) {
+sinew_status add(Session session, sinew_world* handle) {
     auto simulation = std::make_unique<Simulation>();
     simulation->own.emplace(std::move(session));
     simulation->own->set_contact_filter({}); // of the simulation that was copied
@@ -76,7 +76,7 @@ using namespace sinew::c;
 namespace {
 
 /// Takes the steps of work(session).
-template <class Work> sinew_status advance(sinew_simulation handle, const Work& work) {
+template <class Work> sinew_status advance(sinew_world handle, const Work& work) {
     return change_own(handle, [&](Session& session) {
         work(session);
         return SINEW_OK;
@@ -97,7 +97,7 @@ const char* sinew_simd(void) {
 
 // --- opening ---------------------------------------------------------------------------------------------------------
 
-sinew_status sinew_open(const char* scene, const sinew_open_options* options, sinew_simulation* simulation) {
+sinew_status sinew_world_open(const char* scene, const sinew_open_options* options, sinew_world* simulation) {
     if (!simulation) return null_argument();
     SceneFile file;
     if (const auto status = SceneFile::read(scene, options, file)) return status;
@@ -111,12 +111,12 @@ sinew_status sinew_check(const char* scene, const sinew_open_options* options) {
     return file.open() ? SINEW_OK : SINEW_BAD_SCENE;
 }
 
-sinew_status sinew_copy(sinew_simulation simulation, sinew_simulation* copy) {
+sinew_status sinew_world_copy(sinew_world simulation, sinew_world* copy) {
     if (!copy) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) { return add(session, copy); });
 }
 
-sinew_status sinew_save(sinew_simulation simulation, const uint8_t** bytes, size_t* size) {
+sinew_status sinew_world_save(sinew_world simulation, const uint8_t** bytes, size_t* size) {
     if (!bytes || !size) return null_argument();
     return read(simulation, [&](Simulation& known, const Session& session) {
         known.saved = save(session);
@@ -126,8 +126,8 @@ sinew_status sinew_save(sinew_simulation simulation, const uint8_t** bytes, size
     });
 }
 
-sinew_status sinew_load(const uint8_t* bytes, size_t size, const sinew_open_options* options,
-                        sinew_simulation* simulation) {
+sinew_status sinew_world_load(const uint8_t* bytes, size_t size, const sinew_open_options* options,
+                              sinew_world* simulation) {
     if (!simulation || (!bytes && size > 0)) return null_argument();
     SceneFile file;
     if (const auto status = SceneFile::read("", options, file)) return status;
@@ -142,7 +142,7 @@ sinew_status sinew_load(const uint8_t* bytes, size_t size, const sinew_open_opti
     return error.what.empty() ? SINEW_BAD_SCENE : fail(SINEW_BAD_ARGUMENT, error.text());
 }
 
-sinew_status sinew_close(sinew_simulation simulation) {
+sinew_status sinew_world_close(sinew_world simulation) {
     const auto* known = simulations().find(simulation.id);
     if (!known) return bad_handle();
     if (!known->own) return fail(SINEW_READ_ONLY, "the simulation is closed with its player");
@@ -153,27 +153,27 @@ sinew_status sinew_close(sinew_simulation simulation) {
 
 // --- time ------------------------------------------------------------------------------------------------------------
 
-sinew_status sinew_restart(sinew_simulation simulation) {
+sinew_status sinew_world_restart(sinew_world simulation) {
     return change_own(simulation, [](Session& session) {
         session.restart();
         return SINEW_OK;
     });
 }
 
-sinew_status sinew_step(sinew_simulation simulation, uint32_t count) {
+sinew_status sinew_world_step(sinew_world simulation, uint32_t count) {
     return advance(simulation, [&](Session& session) {
         for (std::uint32_t i = 0; i < count; ++i) session.step();
     });
 }
 
-sinew_status sinew_run_until(sinew_simulation simulation, double seconds) {
+sinew_status sinew_world_run_until(sinew_world simulation, double seconds) {
     if (!std::isfinite(seconds)) return fail(SINEW_BAD_ARGUMENT, "the time is not finite");
     return advance(simulation, [&](Session& session) { session.run_until(seconds); });
 }
 
 // --- the scene -------------------------------------------------------------------------------------------------------
 
-sinew_status sinew_scene_text(sinew_simulation simulation, const char** json) {
+sinew_status sinew_world_scene_text(sinew_world simulation, const char** json) {
     if (!json) return null_argument();
     return read(simulation, [&](Simulation& known, const Session& session) {
         known.text = play::text_of(session);
@@ -182,7 +182,7 @@ sinew_status sinew_scene_text(sinew_simulation simulation, const char** json) {
     });
 }
 
-sinew_status sinew_set(sinew_simulation simulation, const char* override_pair) {
+sinew_status sinew_world_set(sinew_world simulation, const char* override_pair) {
     if (!override_pair) return null_argument();
     return change_own(simulation, [&](Session& session) {
         const std::array<Override, 1> overrides = {{{override_pair}}};

@@ -58,14 +58,14 @@ Handles<Simulation>& simulations();
 sinew_status callback_is_running();
 
 /// Calls work(simulation, session) with a const session and returns its status; fails for an unknown handle.
-template <class Work> sinew_status read(sinew_simulation handle, const Work& work) {
+template <class Work> sinew_status read(sinew_world handle, const Work& work) {
     auto* simulation = simulations().find(handle.id);
     const auto* session = simulation ? simulation->session() : nullptr;
     return session ? work(*simulation, *session) : bad_handle();
 }
 
 /// Calls work(session); fails for an unknown handle and for a simulation of a player.
-template <class Work> sinew_status change(sinew_simulation handle, const Work& work) {
+template <class Work> sinew_status change(sinew_world handle, const Work& work) {
     auto* simulation = simulations().find(handle.id);
     if (!simulation || !simulation->session()) return bad_handle();
     auto* session = simulation->changeable();
@@ -75,7 +75,7 @@ template <class Work> sinew_status change(sinew_simulation handle, const Work& w
 }
 
 /// The same for changes that only the owner of the session may make: steps, another scene.
-template <class Work> sinew_status change_own(sinew_simulation handle, const Work& work) {
+template <class Work> sinew_status change_own(sinew_world handle, const Work& work) {
     const auto* simulation = simulations().find(handle.id);
     if (simulation && simulation->lent)
         return fail(SINEW_READ_ONLY, "the player of the level takes the steps, and opens the scenes");

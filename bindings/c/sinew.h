@@ -3,9 +3,10 @@
  * SINEW_PROGRAM_API, which are for programs: empty worlds, user data, debug drawing, export, import, hooks.
  *
  * Two objects, named by handles:
- *   sinew_simulation  a running scene without a pointer: open, step, read columns, edit, draw.
- *   sinew_player      the interactive player of the window: a simulation with a clock, tools (grab, cut, pin, rope,
- *                     polygon, cloth, spawn, remove, measure), a camera, undo and a timeline of the last minute.
+ *   sinew_world   a running scene without a pointer: open, step, read columns, edit, draw.
+ *   sinew_player  the interactive player of the window: a world with a clock, tools (grab, cut, pin, rope, polygon,
+ *                 cloth, spawn, remove, measure), a camera, undo and a timeline of the last minute.
+ * Functions of an object begin with its name, those of the library with sinew_.
  *
  * Handles and ids are values. A made-up handle, one of a closed object, or an id of a removed row is never
  * dereferenced: the function returns SINEW_BAD_HANDLE or SINEW_BAD_ID and changes nothing.
@@ -41,7 +42,7 @@ extern "C" {
 #endif
 
 /* Version of this header: raised by every change that breaks a compiled caller. */
-#define SINEW_ABI 2u
+#define SINEW_ABI 3u
 
 /* The library's ABI; a caller compiled with another SINEW_ABI must not go on. */
 SINEW_API uint32_t sinew_abi(void);
@@ -61,12 +62,12 @@ SINEW_API const char* sinew_simd(void);
 
 typedef enum sinew_status SINEW_INT {
     SINEW_OK = 0,
-    SINEW_BAD_HANDLE = 1,   /* no open simulation or player has this handle */
+    SINEW_BAD_HANDLE = 1,   /* no open world or player has this handle */
     SINEW_BAD_ID = 2,       /* the particle, constraint, pin or figure is gone or never was */
     SINEW_BAD_SCENE = 3,    /* the scene has errors: sinew_diagnostic_at() */
     SINEW_BAD_ARGUMENT = 4, /* a null pointer, a number out of range, an unknown word */
     SINEW_NOT_FOUND = 5,    /* nothing has this name, or is at this place */
-    SINEW_READ_ONLY = 6,    /* the simulation belongs to a player, which alone may change it */
+    SINEW_READ_ONLY = 6,    /* the world belongs to a player, which alone may change it */
     SINEW_FULL = 7          /* no more objects, or an array of the caller is too short */
 } sinew_status;
 
@@ -86,15 +87,16 @@ typedef struct sinew_diagnostic {
     uint32_t is_override; /* 1: the error is in an override, and line and column count in it */
 } sinew_diagnostic;
 
-/* Errors found by the thread's last sinew_open, sinew_check, sinew_set, sinew_play or sinew_player_open, in order. */
+/* Errors found by the thread's last sinew_world_open, sinew_check, sinew_world_set, sinew_player_create or
+ * sinew_player_open, in order. */
 SINEW_API size_t sinew_diagnostic_count(void);
 SINEW_API sinew_status sinew_diagnostic_at(size_t index, sinew_diagnostic* diagnostic);
 
 /* --- scenes ------------------------------------------------------------------------------------------------------ */
 
-typedef struct sinew_simulation {
+typedef struct sinew_world {
     uint32_t id;
-} sinew_simulation;
+} sinew_world;
 typedef struct sinew_player {
     uint32_t id;
 } sinew_player;
@@ -122,21 +124,21 @@ typedef struct sinew_open_options {
 } sinew_open_options;
 
 /* Opens a scene at its start. `options` may be null. */
-SINEW_API sinew_status sinew_open(const char* scene, const sinew_open_options* options, sinew_simulation* simulation);
+SINEW_API sinew_status sinew_world_open(const char* scene, const sinew_open_options* options, sinew_world* world);
 /* Reads a scene and reports its errors, without keeping it. `options` may be null. */
 SINEW_API sinew_status sinew_check(const char* scene, const sinew_open_options* options);
 /* A copy in the present state, which goes on by itself. */
-SINEW_API sinew_status sinew_copy(sinew_simulation simulation, sinew_simulation* copy);
-SINEW_API sinew_status sinew_close(sinew_simulation simulation);
+SINEW_API sinew_status sinew_world_copy(sinew_world world, sinew_world* copy);
+SINEW_API sinew_status sinew_world_close(sinew_world world);
 
-/* The bytes of a simulation in its present state: scene, world, clock, events and grabs. They are valid until the next
- * call with the simulation. */
-SINEW_API sinew_status sinew_save(sinew_simulation simulation, const uint8_t** bytes, size_t* size);
-/* Opens what sinew_save() wrote, on this machine or another: every later hash is that of the simulation that never
+/* The bytes of a world in its present state: scene, world, clock, events and grabs. They are valid until the next
+ * call with the world. */
+SINEW_API sinew_status sinew_world_save(sinew_world world, const uint8_t** bytes, size_t* size);
+/* Opens what sinew_world_save() wrote, on this machine or another: every later hash is that of the world that never
  * stopped, and ids hold. `options` has the images and models of the scene; its overrides are not read. Bytes may come
- * from anybody: SINEW_BAD_ARGUMENT, with place and reason, for what no simulation of this version wrote. */
-SINEW_API sinew_status sinew_load(const uint8_t* bytes, size_t size, const sinew_open_options* options,
-                                  sinew_simulation* simulation);
+ * from anybody: SINEW_BAD_ARGUMENT, with place and reason, for what no world of this version wrote. */
+SINEW_API sinew_status sinew_world_load(const uint8_t* bytes, size_t size, const sinew_open_options* options,
+                                        sinew_world* world);
 
 /* JSON text about the engine. `topic`: "schema" (JSON Schema of a scene), "prefabs" (name, about, parameters),
  * "kinds" (of constraints, in 2D and 3D), "overlays", "tools", "actions" (of a player, with their keys). */
@@ -148,11 +150,11 @@ SINEW_API void sinew_free(void* memory);      /* null is allowed */
 
 /* --- time -------------------------------------------------------------------------------------------------------- */
 
-SINEW_API sinew_status sinew_restart(sinew_simulation simulation);
+SINEW_API sinew_status sinew_world_restart(sinew_world world);
 /* Takes `count` steps of the scene's rate, with the scene's events. */
-SINEW_API sinew_status sinew_step(sinew_simulation simulation, uint32_t count);
+SINEW_API sinew_status sinew_world_step(sinew_world world, uint32_t count);
 /* Steps until `seconds` of simulated time have passed since the start, to within half a step. */
-SINEW_API sinew_status sinew_run_until(sinew_simulation simulation, double seconds);
+SINEW_API sinew_status sinew_world_run_until(sinew_world world, double seconds);
 
 /* --- reading ----------------------------------------------------------------------------------------------------- */
 
@@ -174,7 +176,7 @@ typedef struct sinew_info {
     uint32_t view_height;
     uint32_t asleep; /* particles asleep: at rest, left out of the step until woken */
 } sinew_info;
-SINEW_API sinew_status sinew_get_info(sinew_simulation simulation, sinew_info* info);
+SINEW_API sinew_status sinew_world_get_info(sinew_world world, sinew_info* info);
 
 typedef struct sinew_report {
     double seconds; /* simulated time, seconds */
@@ -183,10 +185,10 @@ typedef struct sinew_report {
     double stretch_max, stretch_mean;               /* of distances, as fractions of their rest lengths */
     double max_speed;
 } sinew_report;
-SINEW_API sinew_status sinew_get_report(sinew_simulation simulation, sinew_report* report);
+SINEW_API sinew_status sinew_world_get_report(sinew_world world, sinew_report* report);
 
 /* Hash of all state relevant to the future: equal on every machine, compiler, instruction set and thread count. */
-SINEW_API sinew_status sinew_state_hash(sinew_simulation simulation, uint64_t* hash);
+SINEW_API sinew_status sinew_world_state_hash(sinew_world world, uint64_t* hash);
 
 typedef enum sinew_column SINEW_INT {
     SINEW_POSITION = 0, /* `dimension` reals a row */
@@ -205,7 +207,7 @@ typedef enum sinew_column SINEW_INT {
                             that a blade has divided is none */
 } sinew_column;
 
-/* Memory of the simulation, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may
+/* Memory of the world, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may
  * grow the memory and so detach typed arrays made on it. */
 typedef struct sinew_view {
     const void* data;
@@ -214,7 +216,7 @@ typedef struct sinew_view {
     uint32_t number_bytes; /* 4 or 8 */
     uint32_t is_integer;   /* 1: uint32_t, 0: float or double */
 } sinew_view;
-SINEW_API sinew_status sinew_get_column(sinew_simulation simulation, sinew_column column, sinew_view* view);
+SINEW_API sinew_status sinew_world_get_column(sinew_world world, sinew_column column, sinew_view* view);
 
 /* Ids name rows that move. */
 typedef uint64_t sinew_particle;
@@ -223,14 +225,13 @@ typedef uint64_t sinew_pin;
 typedef uint64_t sinew_collider;
 #define SINEW_NO_ID UINT64_MAX
 
-SINEW_API sinew_status sinew_particle_at(sinew_simulation simulation, uint32_t row, sinew_particle* particle);
-SINEW_API sinew_status sinew_row_of(sinew_simulation simulation, sinew_particle particle, uint32_t* row);
+SINEW_API sinew_status sinew_world_particle_at(sinew_world world, uint32_t row, sinew_particle* particle);
+SINEW_API sinew_status sinew_world_row_of(sinew_world world, sinew_particle particle, uint32_t* row);
 /* "bob/right_hand" */
-SINEW_API sinew_status sinew_find_particle(sinew_simulation simulation, const char* name, sinew_particle* particle);
-SINEW_API sinew_status sinew_find_constraint(sinew_simulation simulation, const char* name,
-                                             sinew_constraint* constraint);
+SINEW_API sinew_status sinew_world_find_particle(sinew_world world, const char* name, sinew_particle* particle);
+SINEW_API sinew_status sinew_world_find_constraint(sinew_world world, const char* name, sinew_constraint* constraint);
 /* Empty if the particle has no name. */
-SINEW_API sinew_status sinew_particle_name(sinew_simulation simulation, sinew_particle particle, const char** name);
+SINEW_API sinew_status sinew_world_particle_name(sinew_world world, sinew_particle particle, const char** name);
 
 typedef struct sinew_particle_state {
     double position[3];
@@ -240,8 +241,8 @@ typedef struct sinew_particle_state {
     uint32_t figure; /* ~0: none */
     uint32_t is_asleep;
 } sinew_particle_state;
-SINEW_API sinew_status sinew_get_particle(sinew_simulation simulation, sinew_particle particle,
-                                          sinew_particle_state* state);
+SINEW_API sinew_status sinew_world_get_particle(sinew_world world, sinew_particle particle,
+                                                sinew_particle_state* state);
 
 typedef struct sinew_constraint_state {
     double measure; /* in the kind's unit: length, radians, area, volume */
@@ -249,12 +250,12 @@ typedef struct sinew_constraint_state {
     double strain;  /* error as a fraction of the violated limit; of angles the error itself */
     double tension; /* newtons (or the scene's unit of force), positive when pulling */
 } sinew_constraint_state;
-SINEW_API sinew_status sinew_get_constraint(sinew_simulation simulation, sinew_constraint constraint,
-                                            sinew_constraint_state* state);
+SINEW_API sinew_status sinew_world_get_constraint(sinew_world world, sinew_constraint constraint,
+                                                  sinew_constraint_state* state);
 /* Kinds are numbered from 0 as in sinew_describe("kinds"); SINEW_BAD_ARGUMENT for a kind the dimension has not. */
-SINEW_API sinew_status sinew_constraint_count(sinew_simulation simulation, uint32_t kind, uint32_t* count);
-SINEW_API sinew_status sinew_constraint_at(sinew_simulation simulation, uint32_t kind, uint32_t row,
-                                           sinew_constraint* constraint);
+SINEW_API sinew_status sinew_world_constraint_count(sinew_world world, uint32_t kind, uint32_t* count);
+SINEW_API sinew_status sinew_world_constraint_at(sinew_world world, uint32_t kind, uint32_t row,
+                                                 sinew_constraint* constraint);
 
 typedef struct sinew_figure {
     const char* name;
@@ -263,7 +264,7 @@ typedef struct sinew_figure {
     uint32_t is_quarantined; /* 1: frozen, because a number became infinite or not-a-number */
 } sinew_figure;
 /* SINEW_NOT_FOUND for an unused index. */
-SINEW_API sinew_status sinew_figure_at(sinew_simulation simulation, uint32_t index, sinew_figure* figure);
+SINEW_API sinew_status sinew_world_figure_at(sinew_world world, uint32_t index, sinew_figure* figure);
 
 typedef struct sinew_event {
     double seconds;    /* simulated time */
@@ -275,8 +276,8 @@ typedef struct sinew_event {
     double impulse;    /* contacts: in the step */
 } sinew_event;
 /* Events since the start; at most 10,000 are kept. */
-SINEW_API sinew_status sinew_event_count(sinew_simulation simulation, uint32_t* count);
-SINEW_API sinew_status sinew_event_at(sinew_simulation simulation, uint32_t index, sinew_event* event);
+SINEW_API sinew_status sinew_world_event_count(sinew_world world, uint32_t* count);
+SINEW_API sinew_status sinew_world_event_at(sinew_world world, uint32_t index, sinew_event* event);
 
 /* --- contacts ---------------------------------------------------------------------------------------------------- */
 
@@ -311,10 +312,10 @@ typedef struct sinew_contact {
 /* Whether touches of figures with figures and with planes of world.bounds are listed too, from the next step on (`on` 0
  * or 1; contacts of figures must be switched on in the scene: "contact": {"figures": true}). Those with colliders
  * always are. A scene whose events wait for contacts lists them anyway. Results do not depend on it. */
-SINEW_API sinew_status sinew_list_contacts(sinew_simulation simulation, uint32_t on);
-/* Lists the contacts of the last step, for sinew_contact_at until the simulation is stepped or changed. */
-SINEW_API sinew_status sinew_contact_count(sinew_simulation simulation, uint32_t* count);
-SINEW_API sinew_status sinew_contact_at(sinew_simulation simulation, uint32_t index, sinew_contact* contact);
+SINEW_API sinew_status sinew_world_list_contacts(sinew_world world, uint32_t on);
+/* Lists the contacts of the last step, for sinew_world_contact_at until the world is stepped or changed. */
+SINEW_API sinew_status sinew_world_contact_count(sinew_world world, uint32_t* count);
+SINEW_API sinew_status sinew_world_contact_at(sinew_world world, uint32_t index, sinew_contact* contact);
 
 /* A contact that is about to act in a substep: of a particle, or of a link by its first end. */
 typedef struct sinew_pending_contact {
@@ -331,27 +332,27 @@ typedef struct sinew_pending_contact {
     double friction;    /* may be changed: Coulomb's coefficient, >= 0 */
     double bounce;      /* may be changed: 0 to 1 */
 } sinew_pending_contact;
-/* Returns 0 for a contact that is not to act in this substep; it is then no touch. Must not change the simulation that
+/* Returns 0 for a contact that is not to act in this substep; it is then no touch. Must not change the world that
  * calls it, for which SINEW_READ_ONLY is returned; user data may be read. */
 typedef int (*sinew_contact_filter)(void* context, sinew_pending_contact* contact);
-/* Null: all contacts act. The filter is asked before a contact acts, in every substep of sinew_step and
- * sinew_run_until, about planes, colliders, sensors, figures and cloth, in the order of the solver and in the caller's
- * thread, which then takes the steps alone: the same answers give the same bits. A rope that is solved at once is asked
- * about once a step and wall; layers of thin cloth, which never cross, and what sleeps are not asked about. Copies have
- * no filter. */
-SINEW_PROGRAM_API sinew_status sinew_set_contact_filter(sinew_simulation simulation, sinew_contact_filter filter,
-                                                        void* context);
+/* Null: all contacts act. The filter is asked before a contact acts, in every substep of sinew_world_step and
+ * sinew_world_run_until, about planes, colliders, sensors, figures and cloth, in the order of the solver and in the
+ * caller's thread, which then takes the steps alone: the same answers give the same bits. A rope that is solved at once
+ * is asked about once a step and wall; layers of thin cloth, which never cross, and what sleeps are not asked about.
+ * Copies have no filter. */
+SINEW_PROGRAM_API sinew_status sinew_world_set_contact_filter(sinew_world world, sinew_contact_filter filter,
+                                                              void* context);
 
 /* --- queries ----------------------------------------------------------------------------------------------------- */
 
 /* Nearest particle whose surface is within `reach` of a point; `distance` (may be null) is from the surface, negative
  * inside. SINEW_NOT_FOUND if there is none. */
-SINEW_API sinew_status sinew_nearest_particle(sinew_simulation simulation, sinew_point at, double reach,
-                                              sinew_particle* particle, double* distance);
+SINEW_API sinew_status sinew_world_nearest_particle(sinew_world world, sinew_point at, double reach,
+                                                    sinew_particle* particle, double* distance);
 /* Nearest link, the segment between the ends of a distance; `t` (may be null) is the place on it, 0 at the first end
  * and 1 at the second. SINEW_NOT_FOUND if there is none within `reach`. */
-SINEW_API sinew_status sinew_nearest_link(sinew_simulation simulation, sinew_point at, double reach,
-                                          sinew_constraint* link, double* t, double* distance);
+SINEW_API sinew_status sinew_world_nearest_link(sinew_world world, sinew_point at, double reach, sinew_constraint* link,
+                                                double* t, double* distance);
 
 typedef struct sinew_ray_hit {
     double share; /* of the way, 0 to 1 */
@@ -364,8 +365,8 @@ typedef struct sinew_ray_hit {
  * sensor, or plane of world.bounds that a sphere meets on its straight way; radius 0 is a ray. Only layers of `mask`
  * count (~0: all); planes always do. A thing that holds the start is met at once if the way leads further into it, and
  * not if it leads out. SINEW_NOT_FOUND if nothing is met. */
-SINEW_API sinew_status sinew_cast_ray(sinew_simulation simulation, sinew_point from, sinew_point to, double radius,
-                                      uint32_t mask, sinew_ray_hit* hit);
+SINEW_API sinew_status sinew_world_cast_ray(sinew_world world, sinew_point from, sinew_point to, double radius,
+                                            uint32_t mask, sinew_ray_hit* hit);
 
 /* A sphere (circle), or a box if `half` is not zero, turned about its centre. */
 typedef struct sinew_region {
@@ -377,20 +378,20 @@ typedef struct sinew_region {
 } sinew_region;
 /* Ids of the particles, or links, that touch a region, in the order of their rows: at most `room` are written, and
  * `count` says how many there are. */
-SINEW_API sinew_status sinew_overlapping_particles(sinew_simulation simulation, const sinew_region* region,
-                                                   sinew_particle* particles, size_t room, size_t* count);
-SINEW_API sinew_status sinew_overlapping_links(sinew_simulation simulation, const sinew_region* region,
-                                               sinew_constraint* links, size_t room, size_t* count);
+SINEW_API sinew_status sinew_world_overlapping_particles(sinew_world world, const sinew_region* region,
+                                                         sinew_particle* particles, size_t room, size_t* count);
+SINEW_API sinew_status sinew_world_overlapping_links(sinew_world world, const sinew_region* region,
+                                                     sinew_constraint* links, size_t room, size_t* count);
 
-/* --- the scene of a simulation ----------------------------------------------------------------------------------- */
+/* --- the scene of a world ---------------------------------------------------------------------------------------- */
 
 /* The scene as a file states it, with all edits; cut constraints are in an event at the start. */
-SINEW_API sinew_status sinew_scene_text(sinew_simulation simulation, const char** json);
+SINEW_API sinew_status sinew_world_scene_text(sinew_world world, const char** json);
 /* Values that a form can show: a JSON array of {path, name, value, type, unit, low, high, choices, help}. Paths are
  * those of overrides; low, high and choices are absent where there are none. */
-SINEW_API sinew_status sinew_parameters(sinew_simulation simulation, const char** json);
+SINEW_API sinew_status sinew_world_parameters(sinew_world world, const char** json);
 /* Sets one value of the running scene by an override "path=value"; figures that it does not concern go on unchanged. */
-SINEW_API sinew_status sinew_set(sinew_simulation simulation, const char* override_pair);
+SINEW_API sinew_status sinew_world_set(sinew_world world, const char* override_pair);
 
 /* --- edits ------------------------------------------------------------------------------------------------------- */
 
@@ -399,9 +400,9 @@ typedef struct sinew_particle_spec {
     double mass; /* 1e-30 and above; INFINITY: immovable */
     double radius;
 } sinew_particle_spec;
-SINEW_API sinew_status sinew_add_particle(sinew_simulation simulation, const sinew_particle_spec* spec,
-                                          sinew_particle* particle);
-SINEW_API sinew_status sinew_remove_particle(sinew_simulation simulation, sinew_particle particle);
+SINEW_API sinew_status sinew_world_add_particle(sinew_world world, const sinew_particle_spec* spec,
+                                                sinew_particle* particle);
+SINEW_API sinew_status sinew_world_remove_particle(sinew_world world, sinew_particle particle);
 
 typedef struct sinew_constraint_spec {
     double low, high;       /* limits of the measure; low > high: the present measure exactly */
@@ -410,65 +411,62 @@ typedef struct sinew_constraint_spec {
     double breaking_strain; /* 0: never breaks */
 } sinew_constraint_spec;
 /* SINEW_BAD_ARGUMENT if `count` is not the number of particles of the kind. `spec` may be null: rigid as it is. */
-SINEW_API sinew_status sinew_add_constraint(sinew_simulation simulation, uint32_t kind, const sinew_particle* particles,
-                                            size_t count, const sinew_constraint_spec* spec,
-                                            sinew_constraint* constraint);
-SINEW_API sinew_status sinew_remove_constraint(sinew_simulation simulation, sinew_constraint constraint);
+SINEW_API sinew_status sinew_world_add_constraint(sinew_world world, uint32_t kind, const sinew_particle* particles,
+                                                  size_t count, const sinew_constraint_spec* spec,
+                                                  sinew_constraint* constraint);
+SINEW_API sinew_status sinew_world_remove_constraint(sinew_world world, sinew_constraint constraint);
 
 /* New values for a constraint while it runs. Limits as in sinew_constraint_spec, but low <= high; those of an angle in
  * 3D are not negative. Zero: `compliance` rigid, `max_force` without limit, `strain` and `force` never breaks. */
-SINEW_API sinew_status sinew_set_limits(sinew_simulation simulation, sinew_constraint constraint, double low,
-                                        double high);
-SINEW_API sinew_status sinew_set_compliance(sinew_simulation simulation, sinew_constraint constraint,
-                                            double compliance);
-SINEW_API sinew_status sinew_set_max_force(sinew_simulation simulation, sinew_constraint constraint, double max_force);
-SINEW_API sinew_status sinew_set_breaking_strain(sinew_simulation simulation, sinew_constraint constraint,
-                                                 double strain);
+SINEW_API sinew_status sinew_world_set_limits(sinew_world world, sinew_constraint constraint, double low, double high);
+SINEW_API sinew_status sinew_world_set_compliance(sinew_world world, sinew_constraint constraint, double compliance);
+SINEW_API sinew_status sinew_world_set_max_force(sinew_world world, sinew_constraint constraint, double max_force);
+SINEW_API sinew_status sinew_world_set_breaking_strain(sinew_world world, sinew_constraint constraint, double strain);
 /* Force, in newtons (N m for an angle), above which a constraint breaks, rigid or not. */
-SINEW_API sinew_status sinew_set_break_force(sinew_simulation simulation, sinew_constraint constraint, double force);
+SINEW_API sinew_status sinew_world_set_break_force(sinew_world world, sinew_constraint constraint, double force);
 /* Moves the limits at a rate, per second: a winch, a motor; 0 stops it. SINEW_BAD_ARGUMENT for a motor of unlimited
  * force beside a rigid constraint of the same particles: give it a max_force first. */
-SINEW_API sinew_status sinew_drive(sinew_simulation simulation, sinew_constraint constraint, double rate);
+SINEW_API sinew_status sinew_world_drive(sinew_world world, sinew_constraint constraint, double rate);
 
-SINEW_API sinew_status sinew_set_position(sinew_simulation simulation, sinew_particle particle, sinew_point position);
-SINEW_API sinew_status sinew_set_velocity(sinew_simulation simulation, sinew_particle particle, sinew_point velocity);
-SINEW_API sinew_status sinew_set_mass(sinew_simulation simulation, sinew_particle particle, double mass);
+SINEW_API sinew_status sinew_world_set_position(sinew_world world, sinew_particle particle, sinew_point position);
+SINEW_API sinew_status sinew_world_set_velocity(sinew_world world, sinew_particle particle, sinew_point velocity);
+SINEW_API sinew_status sinew_world_set_mass(sinew_world world, sinew_particle particle, double mass);
 /* Collision radius. */
-SINEW_API sinew_status sinew_set_radius(sinew_simulation simulation, sinew_particle particle, double radius);
+SINEW_API sinew_status sinew_world_set_radius(sinew_world world, sinew_particle particle, double radius);
 /* A force for the next step; calls add up. */
-SINEW_API sinew_status sinew_apply_force(sinew_simulation simulation, sinew_particle particle, sinew_point force);
-SINEW_API sinew_status sinew_apply_impulse(sinew_simulation simulation, sinew_particle particle, sinew_point impulse);
+SINEW_API sinew_status sinew_world_apply_force(sinew_world world, sinew_particle particle, sinew_point force);
+SINEW_API sinew_status sinew_world_apply_impulse(sinew_world world, sinew_particle particle, sinew_point impulse);
 
 /* Holds a particle where it is. A pin that holds it already, such as that of a rope's start, is replaced: its id is
  * gone.
  */
-SINEW_API sinew_status sinew_pin_particle(sinew_simulation simulation, sinew_particle particle, sinew_pin* pin);
+SINEW_API sinew_status sinew_world_pin_particle(sinew_world world, sinew_particle particle, sinew_pin* pin);
 /* Target at the end of the next step, approached in a straight line. */
-SINEW_API sinew_status sinew_move_pin(sinew_simulation simulation, sinew_pin pin, sinew_point target);
-SINEW_API sinew_status sinew_unpin(sinew_simulation simulation, sinew_pin pin);
+SINEW_API sinew_status sinew_world_move_pin(sinew_world world, sinew_pin pin, sinew_point target);
+SINEW_API sinew_status sinew_world_unpin(sinew_world world, sinew_pin pin);
 
 /* Colliders of the scene by name. */
-SINEW_API sinew_status sinew_find_collider(sinew_simulation simulation, const char* name, sinew_collider* collider);
+SINEW_API sinew_status sinew_world_find_collider(sinew_world world, const char* name, sinew_collider* collider);
 /* Pose of a collider at the end of the next step, approached evenly: what touches it is carried along. `turn` as in
  * sinew_region, `axis` may be null. A collider with a motion of its own in the scene follows that. */
-SINEW_API sinew_status sinew_move_collider(sinew_simulation simulation, sinew_collider collider, sinew_point position,
-                                           double turn, const sinew_point* axis);
+SINEW_API sinew_status sinew_world_move_collider(sinew_world world, sinew_collider collider, sinew_point position,
+                                                 double turn, const sinew_point* axis);
 
 /* --- pointer ----------------------------------------------------------------------------------------------------- */
 
 /* Grabs the nearest particle within `radius` (the scene's unit of length), or a point between several, as a pointer
  * does: with a force of 100 times gravity at most. SINEW_NOT_FOUND if nothing movable is there. 2D. */
-SINEW_API sinew_status sinew_grab(sinew_simulation simulation, sinew_point at, double radius);
+SINEW_API sinew_status sinew_world_grab(sinew_world world, sinew_point at, double radius);
 /* Grabs one particle. */
-SINEW_API sinew_status sinew_grab_particle(sinew_simulation simulation, sinew_particle particle);
+SINEW_API sinew_status sinew_world_grab_particle(sinew_world world, sinew_particle particle);
 /* Target of the held point at the end of the next step. */
-SINEW_API sinew_status sinew_drag(sinew_simulation simulation, sinew_point to);
-SINEW_API sinew_status sinew_let_go(sinew_simulation simulation);
+SINEW_API sinew_status sinew_world_drag(sinew_world world, sinew_point to);
+SINEW_API sinew_status sinew_world_let_go(sinew_world world);
 /* Position of the pointer, for pins that follow it. */
-SINEW_API sinew_status sinew_point_at(sinew_simulation simulation, sinew_point at);
+SINEW_API sinew_status sinew_world_point_at(sinew_world world, sinew_point at);
 /* Cuts every distance that crosses the line, as seen in the scene's own view; `count` (may be null) is the number cut.
  */
-SINEW_API sinew_status sinew_cut(sinew_simulation simulation, sinew_point from, sinew_point to, uint32_t* count);
+SINEW_API sinew_status sinew_world_cut(sinew_world world, sinew_point from, sinew_point to, uint32_t* count);
 
 /* --- characters and cars ----------------------------------------------------------------------------------------- */
 
@@ -483,7 +481,7 @@ typedef struct sinew_controls {
 } sinew_controls;
 /* Null: controls of the scene's events again. Controls, and parameters of figures that are not of the scene, are no
  * part of a snapshot. SINEW_BAD_ARGUMENT for a figure that has no controls. */
-SINEW_API sinew_status sinew_steer(sinew_simulation simulation, uint32_t figure, const sinew_controls* controls);
+SINEW_API sinew_status sinew_world_steer(sinew_world world, uint32_t figure, const sinew_controls* controls);
 
 typedef struct sinew_footing {
     uint32_t on_ground;  /* 1: a character stands or walks */
@@ -491,7 +489,7 @@ typedef struct sinew_footing {
     uint32_t figure;     /* the ground's, or the held one's; ~0: a collider, a plane, or nothing */
 } sinew_footing;
 /* Footing of a character after the last step. */
-SINEW_API sinew_status sinew_get_footing(sinew_simulation simulation, uint32_t figure, sinew_footing* footing);
+SINEW_API sinew_status sinew_world_get_footing(sinew_world world, uint32_t figure, sinew_footing* footing);
 
 /* --- picture ----------------------------------------------------------------------------------------------------- */
 
@@ -530,28 +528,28 @@ typedef struct sinew_picture {
 } sinew_picture;
 
 /* `overlays`: bit i is overlay i of sinew_describe("overlays"). */
-SINEW_API sinew_status sinew_draw(sinew_simulation simulation, uint32_t width, uint32_t height, uint32_t overlays,
-                                  sinew_picture* picture);
-SINEW_API sinew_status sinew_picture_text(sinew_simulation simulation, uint32_t index, const char** text);
+SINEW_API sinew_status sinew_world_draw(sinew_world world, uint32_t width, uint32_t height, uint32_t overlays,
+                                        sinew_picture* picture);
+SINEW_API sinew_status sinew_world_picture_text(sinew_world world, uint32_t index, const char** text);
 /* Name of an image, as in the scene. */
-SINEW_API sinew_status sinew_picture_image(sinew_simulation simulation, uint32_t index, const char** name);
+SINEW_API sinew_status sinew_world_picture_image(sinew_world world, uint32_t index, const char** name);
 /* Position of a pixel of a picture of that size in a 2D scene, and the pixel of a position. */
-SINEW_API sinew_status sinew_unproject(sinew_simulation simulation, uint32_t width, uint32_t height, double x, double y,
-                                       sinew_point* position);
-SINEW_API sinew_status sinew_project(sinew_simulation simulation, uint32_t width, uint32_t height, sinew_point position,
-                                     double* x, double* y);
+SINEW_API sinew_status sinew_world_unproject(sinew_world world, uint32_t width, uint32_t height, double x, double y,
+                                             sinew_point* position);
+SINEW_API sinew_status sinew_world_project(sinew_world world, uint32_t width, uint32_t height, sinew_point position,
+                                           double* x, double* y);
 
 /* --- player ------------------------------------------------------------------------------------------------------ */
 
 /* Opens a scene in a player, running, with a picture of the size that the scene asks for. `options` may be null. */
-SINEW_API sinew_status sinew_play(const char* scene, const sinew_open_options* options, sinew_player* player);
+SINEW_API sinew_status sinew_player_create(const char* scene, const sinew_open_options* options, sinew_player* player);
 /* Opens another scene in the player; on failure the old one goes on. */
 SINEW_API sinew_status sinew_player_open(sinew_player player, const char* scene, const sinew_open_options* options);
 /* Continues as an edited scene; figures that are the same in both keep their state. Can be undone. */
 SINEW_API sinew_status sinew_player_become(sinew_player player, const char* scene, const sinew_open_options* options);
 SINEW_API sinew_status sinew_player_close(sinew_player player);
-/* The simulation of a pane (0, and 1 in a split view), for reading. Valid until the player is closed or split. */
-SINEW_API sinew_status sinew_player_simulation(sinew_player player, uint32_t pane, sinew_simulation* simulation);
+/* The world of a pane (0, and 1 in a split view), for reading. Valid until the player is closed or split. */
+SINEW_API sinew_status sinew_player_world(sinew_player player, uint32_t pane, sinew_world* world);
 
 /* Size of the picture in pixels, and pixels per nominal pixel (2 on a dense display). */
 SINEW_API sinew_status sinew_player_resize(sinew_player player, uint32_t width, uint32_t height, double density);
@@ -626,7 +624,9 @@ SINEW_API sinew_status sinew_player_next_event(sinew_player player, const char**
 /* A struct that begins with `struct_size` grows at its end in later versions. The caller writes sizeof(the struct)
  * there, and 0 into every field that is to have its default:
  *     sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -9.81, 0}};
- * SINEW_BAD_ARGUMENT for a size of no version. */
+ * Programs and libraries of different versions of one SINEW_ABI go together: fields that a program does not know have
+ * their defaults, and fields that the library does not know may be 0 alone. SINEW_BAD_ARGUMENT for one that is not, and
+ * for a size below that of the struct's first version. */
 
 typedef struct sinew_world_spec {
     uint32_t struct_size;
@@ -637,11 +637,12 @@ typedef struct sinew_world_spec {
     sinew_point gravity; /* metres per second squared; y is up */
     double damping;      /* share of the velocity lost, 1 / s */
 } sinew_world_spec;
-/* Opens an empty world in metres, kilograms and seconds. Particles, constraints and pins: sinew_add_particle() and so
- * on. sinew_restart() returns to the empty world; sinew_save() keeps all of it, sinew_scene_text() only the settings.
+/* Opens an empty world in metres, kilograms and seconds. Particles, constraints and pins: sinew_world_add_particle()
+ * and so on. sinew_world_restart() returns to the empty world; sinew_world_save() keeps all of it,
+ * sinew_world_scene_text() only the settings.
  */
-SINEW_PROGRAM_API sinew_status sinew_create(const sinew_world_spec* spec, sinew_simulation* simulation);
-SINEW_PROGRAM_API sinew_status sinew_set_gravity(sinew_simulation simulation, sinew_point gravity);
+SINEW_PROGRAM_API sinew_status sinew_world_create(const sinew_world_spec* spec, sinew_world* world);
+SINEW_PROGRAM_API sinew_status sinew_world_set_gravity(sinew_world world, sinew_point gravity);
 
 /* Numbers of the kinds of constraints; an angle and a distance have the same in 2D and 3D. */
 typedef enum sinew_kind SINEW_INT {
@@ -672,13 +673,13 @@ typedef struct sinew_figure_spec {
     sinew_point velocity;
     double turn; /* radians, counter-clockwise; in 3D about z */
 } sinew_figure_spec;
-/* Builds a prefab into the world. `figure` (may be null) is the index for sinew_figure_at(). SINEW_BAD_SCENE, with
- * diagnostics, for an unknown prefab or a parameter out of its range. */
-SINEW_API sinew_status sinew_add_figure(sinew_simulation simulation, const sinew_figure_spec* spec, uint32_t* figure);
+/* Builds a prefab into the world. `figure` (may be null) is the index for sinew_world_figure_at(). SINEW_BAD_SCENE,
+ * with diagnostics, for an unknown prefab or a parameter out of its range. */
+SINEW_API sinew_status sinew_world_add_figure(sinew_world world, const sinew_figure_spec* spec, uint32_t* figure);
 /* Removes a figure with its particles. */
-SINEW_API sinew_status sinew_remove_figure(sinew_simulation simulation, uint32_t figure);
+SINEW_API sinew_status sinew_world_remove_figure(sinew_world world, uint32_t figure);
 /* Index of a figure by name. */
-SINEW_API sinew_status sinew_find_figure(sinew_simulation simulation, const char* name, uint32_t* figure);
+SINEW_API sinew_status sinew_world_find_figure(sinew_world world, const char* name, uint32_t* figure);
 
 typedef enum sinew_collider_shape SINEW_INT {
     SINEW_HALF_SPACE = 0, /* solid below its own x axis (in 3D its xz plane) */
@@ -707,9 +708,9 @@ typedef struct sinew_collider_spec {
     uint32_t mask;       /* layers that touch it; 0: all */
     sinew_point one_way; /* direction of the normals that are solid, in its own frame; all zero: all */
 } sinew_collider_spec;
-SINEW_API sinew_status sinew_add_collider(sinew_simulation simulation, const sinew_collider_spec* spec,
-                                          sinew_collider* collider);
-SINEW_API sinew_status sinew_remove_collider(sinew_simulation simulation, sinew_collider collider);
+SINEW_API sinew_status sinew_world_add_collider(sinew_world world, const sinew_collider_spec* spec,
+                                                sinew_collider* collider);
+SINEW_API sinew_status sinew_world_remove_collider(sinew_world world, sinew_collider collider);
 
 /* --- user data --------------------------------------------------------------------------------------------------- */
 
@@ -719,11 +720,11 @@ typedef enum sinew_object SINEW_INT {
     SINEW_OF_COLLIDER = 2,
     SINEW_OF_FIGURE = 3 /* by its index */
 } sinew_object;
-/* A pointer of the caller's for an object, never followed; null at first. Copies and loaded simulations have none. */
-SINEW_PROGRAM_API sinew_status sinew_set_user_data(sinew_simulation simulation, sinew_object object, uint64_t id,
-                                                   void* data);
-SINEW_PROGRAM_API sinew_status sinew_get_user_data(sinew_simulation simulation, sinew_object object, uint64_t id,
-                                                   void** data);
+/* A pointer of the caller's for an object, never followed; null at first. Copies and loaded worlds have none. */
+SINEW_PROGRAM_API sinew_status sinew_world_set_user_data(sinew_world world, sinew_object object, uint64_t id,
+                                                         void* data);
+SINEW_PROGRAM_API sinew_status sinew_world_get_user_data(sinew_world world, sinew_object object, uint64_t id,
+                                                         void** data);
 
 /* --- debug drawing ----------------------------------------------------------------------------------------------- */
 
@@ -744,8 +745,7 @@ typedef struct sinew_debug_draw {
 } sinew_debug_draw;
 /* Calls back for everything in the world, in the scene's units. Half-spaces are lines as long as `extent` to each side;
  * meshes and height fields are left out. */
-SINEW_PROGRAM_API sinew_status sinew_draw_debug(sinew_simulation simulation, const sinew_debug_draw* draw,
-                                                double extent);
+SINEW_PROGRAM_API sinew_status sinew_world_draw_debug(sinew_world world, const sinew_debug_draw* draw, double extent);
 
 /* --- export: files of other programs, as bytes ------------------------------------------------------------------- */
 
@@ -770,8 +770,8 @@ typedef struct sinew_export_spec {
  * be null. */
 SINEW_PROGRAM_API sinew_status sinew_export_begin(const char* name, const sinew_export_spec* spec,
                                                   sinew_export* handle);
-/* Adds the present moment of a simulation as the next frame: always the same simulation. Frames are 1 / fps apart. */
-SINEW_PROGRAM_API sinew_status sinew_export_frame(sinew_export handle, sinew_simulation simulation);
+/* Adds the present moment of a world as the next frame: always the same world. Frames are 1 / fps apart. */
+SINEW_PROGRAM_API sinew_status sinew_export_frame(sinew_export handle, sinew_world world);
 /* Completes the files, after one frame or more; `count` is their number: a point cache has its .obj and .mtl beside. */
 SINEW_PROGRAM_API sinew_status sinew_export_finish(sinew_export handle, uint32_t* count);
 /* Name and bytes of a finished file, valid until the export is closed. The caller writes them where it likes. */
@@ -835,11 +835,11 @@ typedef void* (*sinew_enqueue)(void* context, void (*task)(void* task_context, u
 typedef void (*sinew_finish)(void* context, void* handle);
 /* Both null: the library's own threads. SINEW_BAD_ARGUMENT if one is null. */
 SINEW_PROGRAM_API sinew_status sinew_set_task_system(sinew_enqueue enqueue, sinew_finish finish, void* context);
-/* Threads of a simulation; 0: as many as there are cores. 1 never starts any. */
-SINEW_PROGRAM_API sinew_status sinew_set_threads(sinew_simulation simulation, uint32_t threads);
-/* Instruction set of a simulation: "one", "sse2", "avx2", "avx512", "neon"; null: the best, as sinew_simd() has it.
+/* Threads of a world; 0: as many as there are cores. 1 never starts any. */
+SINEW_PROGRAM_API sinew_status sinew_world_set_threads(sinew_world world, uint32_t threads);
+/* Instruction set of a world: "one", "sse2", "avx2", "avx512", "neon"; null: the best, as sinew_simd() has it.
  * Results do not depend on it. SINEW_NOT_FOUND for one that the processor or the library has not. */
-SINEW_PROGRAM_API sinew_status sinew_set_simd(sinew_simulation simulation, const char* name);
+SINEW_PROGRAM_API sinew_status sinew_world_set_simd(sinew_world world, const char* name);
 
 /* Memory of the library. `alignment` is a power of 2; null fails. `release` gets the size that was asked for. Both may
  * be called by any thread that steps. */

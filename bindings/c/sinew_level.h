@@ -4,8 +4,8 @@
  *
  *     #include <sinew_level.h>
  *
- *     static sinew_status build(sinew_simulation world) {
- *         return sinew_add_figure(world, &rope, NULL);
+ *     static sinew_status build(sinew_world world) {
+ *         return sinew_world_add_figure(world, &rope, NULL);
  *     }
  *     SINEW_LEVEL(.build = build)
  *
@@ -39,10 +39,10 @@ typedef struct sinew_moment {
 
 typedef struct sinew_level {
     uint32_t struct_size;
-    uint32_t abi;                                  /* SINEW_ABI */
-    const char* scene;                             /* a scene file's text; null: an empty world with gravity */
-    sinew_status (*build)(sinew_simulation world); /* adds to the world at its start; may be null */
-    sinew_status (*step)(sinew_simulation world, const sinew_moment* moment); /* before each step; may be null */
+    uint32_t abi;                             /* SINEW_ABI */
+    const char* scene;                        /* a scene file's text; null: an empty world with gravity */
+    sinew_status (*build)(sinew_world world); /* adds to the world at its start; may be null */
+    sinew_status (*step)(sinew_world world, const sinew_moment* moment); /* before each step; may be null */
     size_t memory;
 } sinew_level;
 

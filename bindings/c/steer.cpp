@@ -19,7 +19,7 @@ sinew_status no_controls() {
 
 extern "C" {
 
-sinew_status sinew_steer(sinew_simulation simulation, uint32_t figure, const sinew_controls* given) {
+sinew_status sinew_world_steer(sinew_world simulation, uint32_t figure, const sinew_controls* given) {
     sinew_controls controls{};
     if (given)
         if (const auto status = take(given, controls)) return status;
@@ -34,7 +34,7 @@ sinew_status sinew_steer(sinew_simulation simulation, uint32_t figure, const sin
     });
 }
 
-sinew_status sinew_get_footing(sinew_simulation simulation, uint32_t figure, sinew_footing* footing) {
+sinew_status sinew_world_get_footing(sinew_world simulation, uint32_t figure, sinew_footing* footing) {
     if (!footing) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         const auto steered = session.steering().steered(session.scene(), session.world(), FigureIndex(figure));

@@ -2,15 +2,15 @@
 -- Without LÖVE, `luajit examples/love/main.lua` takes the same steps and prints where the ragdoll is. SINEW names the library.
 local ffi = require("ffi")
 ffi.cdef [[
-typedef struct { uint32_t id; } sinew_simulation;
+typedef struct { uint32_t id; } sinew_world;
 typedef struct { double x, y, z; } sinew_point;
 typedef struct { const void* data; uint32_t rows, components, number_bytes, is_integer; } sinew_view;
-int sinew_open(const char* scene, const void* options, sinew_simulation* simulation);
-int sinew_step(sinew_simulation simulation, uint32_t count);
-int sinew_get_column(sinew_simulation simulation, int column, sinew_view* view);
-int sinew_grab(sinew_simulation simulation, sinew_point at, double radius);
-int sinew_drag(sinew_simulation simulation, sinew_point to);
-int sinew_let_go(sinew_simulation simulation);
+int sinew_world_open(const char* scene, const void* options, sinew_world* simulation);
+int sinew_world_step(sinew_world simulation, uint32_t count);
+int sinew_world_get_column(sinew_world simulation, int column, sinew_view* view);
+int sinew_world_grab(sinew_world simulation, sinew_point at, double radius);
+int sinew_world_drag(sinew_world simulation, sinew_point to);
+int sinew_world_let_go(sinew_world simulation);
 const char* sinew_message(void);
 ]]
 local sinew = ffi.load(os.getenv("SINEW") or "sinew")
@@ -26,17 +26,17 @@ local scene = [==[{"sinew": 1, "units": {"length": "px", "up": "-y"},
   "figures": [{"prefab": "rope", "name": "left", "at": [200, 60], "length": 300, "segments": 24, "weight": 3},
               {"prefab": "rope", "name": "right", "at": [600, 60], "length": 260, "segments": 24, "weight": 3},
               {"prefab": "ragdoll", "at": [400, 300]}]}]==]
-local world = ffi.new("sinew_simulation[1]")
-check(sinew.sinew_open(scene, nil, world))
+local world = ffi.new("sinew_world[1]")
+check(sinew.sinew_world_open(scene, nil, world))
 
 local function column(number, type)
     local view = ffi.new("sinew_view[1]")
-    check(sinew.sinew_get_column(world[0], number, view))
+    check(sinew.sinew_world_get_column(world[0], number, view))
     return ffi.cast(type, view[0].data), view[0].rows
 end
 
 local function step()
-    check(sinew.sinew_step(world[0], 1))
+    check(sinew.sinew_world_step(world[0], 1))
 end
 
 if not love then
@@ -64,9 +64,9 @@ function love.update(dt)
     end
 end
 
-function love.mousepressed(x, y) sinew.sinew_grab(world[0], ffi.new("sinew_point", x, y, 0), 30) end
-function love.mousemoved(x, y) sinew.sinew_drag(world[0], ffi.new("sinew_point", x, y, 0)) end
-function love.mousereleased() sinew.sinew_let_go(world[0]) end
+function love.mousepressed(x, y) sinew.sinew_world_grab(world[0], ffi.new("sinew_point", x, y, 0), 30) end
+function love.mousemoved(x, y) sinew.sinew_world_drag(world[0], ffi.new("sinew_point", x, y, 0)) end
+function love.mousereleased() sinew.sinew_world_let_go(world[0]) end
 
 function love.draw()
     love.graphics.clear(0.96, 0.95, 0.93)

@@ -6,79 +6,94 @@
 #include <stdlib.h>
 #include <string.h>
 
-static sinew_simulation created(void) {
+static sinew_world created(void) {
     const sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -10, 0}, .substeps = 8};
-    sinew_simulation world = {0};
-    CHECK(sinew_create(&spec, &world) == SINEW_OK);
+    sinew_world world = {0};
+    CHECK(sinew_world_create(&spec, &world) == SINEW_OK);
     return world;
 }
 
-static double height_of(sinew_simulation world, sinew_particle particle) {
+static double height_of(sinew_world world, sinew_particle particle) {
     sinew_particle_state state = {.position = {0, NAN, 0}};
-    CHECK(sinew_get_particle(world, particle, &state) == SINEW_OK);
+    CHECK(sinew_world_get_particle(world, particle, &state) == SINEW_OK);
     return state.position[1];
 }
 
 /* y = -g t^2 / 2; a step of Verlet's is exact for a constant force, from rest on. */
 static void an_empty_world_falls(void) {
-    const sinew_simulation world = created();
+    const sinew_world world = created();
     const sinew_particle_spec spec = {.mass = 2};
     sinew_particle stone;
-    CHECK(sinew_add_particle(world, &spec, &stone) == SINEW_OK);
-    CHECK(sinew_step(world, 60) == SINEW_OK);
+    CHECK(sinew_world_add_particle(world, &spec, &stone) == SINEW_OK);
+    CHECK(sinew_world_step(world, 60) == SINEW_OK);
     CHECK(fabs(height_of(world, stone) + 5) < 0.02); /* a substep's half: g h t / 2 with h = 1 / 480 */
-    CHECK(sinew_set_gravity(world, (sinew_point){0, 0, 0}) == SINEW_OK);
-    CHECK(sinew_step(world, 60) == SINEW_OK);
+    CHECK(sinew_world_set_gravity(world, (sinew_point){0, 0, 0}) == SINEW_OK);
+    CHECK(sinew_world_step(world, 60) == SINEW_OK);
     CHECK(fabs(height_of(world, stone) + 15) < 0.03);
-    CHECK(sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
 static void wrong_sizes_and_numbers_are_errors(void) {
-    sinew_simulation world = {77};
+    sinew_world world = {77};
     sinew_world_spec spec = {.struct_size = 4};
-    CHECK(sinew_create(NULL, &world) == SINEW_BAD_ARGUMENT);
-    CHECK(sinew_create(&spec, &world) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_create(NULL, &world) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_create(&spec, &world) == SINEW_BAD_ARGUMENT);
     spec = (sinew_world_spec){.struct_size = sizeof spec, .dimension = 4};
-    CHECK(sinew_create(&spec, &world) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_create(&spec, &world) == SINEW_BAD_ARGUMENT);
     spec = (sinew_world_spec){.struct_size = sizeof spec, .gravity = {0, NAN, 0}};
-    CHECK(sinew_create(&spec, &world) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_create(&spec, &world) == SINEW_BAD_ARGUMENT);
     spec = (sinew_world_spec){.struct_size = sizeof spec, .rate = 1e9};
-    CHECK(sinew_create(&spec, &world) == SINEW_BAD_SCENE);
+    CHECK(sinew_world_create(&spec, &world) == SINEW_BAD_SCENE);
     CHECK(world.id == 77);
 }
 
-static sinew_status add_rope(sinew_simulation world, const char* name, const sinew_parameter* parameters,
-                             uint32_t count, uint32_t* figure) {
+static void structs_of_a_later_version_are_read_as_far_as_they_are_known(void) {
+    struct {
+        sinew_world_spec spec;
+        double later;
+    } longer = {.spec = {.struct_size = sizeof longer, .dimension = 3}};
+    sinew_world world;
+    CHECK(sinew_world_create(&longer.spec, &world) == SINEW_OK);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+    longer.later = 1;
+    CHECK(sinew_world_create(&longer.spec, &world) == SINEW_BAD_ARGUMENT);
+    longer.spec.struct_size = 1u << 31;
+    CHECK(sinew_world_create(&longer.spec, &world) == SINEW_BAD_ARGUMENT);
+}
+
+static sinew_status add_rope(sinew_world world, const char* name, const sinew_parameter* parameters, uint32_t count,
+                             uint32_t* figure) {
     const sinew_figure_spec spec = {.struct_size = sizeof spec,
                                     .prefab = "rope",
                                     .name = name,
                                     .position = {3, 1, 0},
                                     .parameters = parameters,
                                     .parameter_count = count};
-    return sinew_add_figure(world, &spec, figure);
+    return sinew_world_add_figure(world, &spec, figure);
 }
 
 static void prefabs_take_parameters(void) {
-    const sinew_simulation world = created();
+    const sinew_world world = created();
     const sinew_parameter parameters[] = {{"length", 2, NULL}, {"segments", 8, NULL}, {"contact.figures", 0, "true"}};
     uint32_t figure = 99, again = 99;
     sinew_figure known;
     sinew_particle end;
     CHECK(add_rope(world, NULL, parameters, 3, &figure) == SINEW_OK);
-    CHECK(sinew_figure_at(world, figure, &known) == SINEW_OK && known.particles == 9);
+    CHECK(sinew_world_figure_at(world, figure, &known) == SINEW_OK && known.particles == 9);
     CHECK(strcmp(known.name, "rope") == 0);
     CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK);
-    CHECK(sinew_find_figure(world, "rope_2", &again) == SINEW_OK && again != figure);
+    CHECK(sinew_world_find_figure(world, "rope_2", &again) == SINEW_OK && again != figure);
     CHECK(add_rope(world, "rope", NULL, 0, NULL) == SINEW_BAD_ARGUMENT);
-    CHECK(sinew_find_particle(world, "rope/end", &end) == SINEW_OK);
-    CHECK(sinew_run_until(world, 5) == SINEW_OK && height_of(world, end) < -0.5);
+    CHECK(sinew_world_find_particle(world, "rope/end", &end) == SINEW_OK);
+    CHECK(sinew_world_run_until(world, 5) == SINEW_OK && height_of(world, end) < -0.5);
     const sinew_parameter wrong[] = {{"segmnts", 8, NULL}}, below[] = {{"segments", -5, NULL}};
     CHECK(add_rope(world, NULL, wrong, 1, NULL) == SINEW_BAD_SCENE && strstr(sinew_message(), "segments") != NULL);
     CHECK(add_rope(world, NULL, below, 1, NULL) == SINEW_BAD_SCENE && sinew_diagnostic_count() == 1);
-    CHECK(sinew_remove_figure(world, figure) == SINEW_OK);
-    CHECK(sinew_remove_figure(world, figure) == SINEW_BAD_ID && sinew_remove_figure(world, 1u << 30) == SINEW_BAD_ID);
-    CHECK(sinew_find_particle(world, "rope/end", &end) == SINEW_NOT_FOUND);
-    CHECK(sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_remove_figure(world, figure) == SINEW_OK);
+    CHECK(sinew_world_remove_figure(world, figure) == SINEW_BAD_ID &&
+          sinew_world_remove_figure(world, 1u << 30) == SINEW_BAD_ID);
+    CHECK(sinew_world_find_particle(world, "rope/end", &end) == SINEW_NOT_FOUND);
+    CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
 /* A ball lies on each shape by its radius above the surface, and falls once the collider is gone. */
@@ -97,51 +112,51 @@ static void colliders_carry(void) {
         {.struct_size = sizeof shapes[0], .shape = SINEW_POLYGON_2D, .points = corners, .point_count = 4},
         {.struct_size = sizeof shapes[0], .shape = SINEW_TERRAIN_2D, .points = line, .point_count = 2}};
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; ++i) {
-        const sinew_simulation world = created();
+        const sinew_world world = created();
         const sinew_particle_spec spec = {.position = {0, 0.5, 0}, .mass = 1, .radius = 0.25};
         sinew_particle ball;
         sinew_collider collider;
-        CHECK(sinew_add_collider(world, &shapes[i], &collider) == SINEW_OK);
-        CHECK(sinew_add_particle(world, &spec, &ball) == SINEW_OK);
-        CHECK(sinew_run_until(world, 2) == SINEW_OK && fabs(height_of(world, ball) - 0.25) < 1e-3);
-        CHECK(sinew_remove_collider(world, collider) == SINEW_OK);
-        CHECK(sinew_remove_collider(world, collider) == SINEW_BAD_ID);
-        CHECK(sinew_run_until(world, 3) == SINEW_OK && height_of(world, ball) < -1);
-        CHECK(sinew_close(world) == SINEW_OK);
+        CHECK(sinew_world_add_collider(world, &shapes[i], &collider) == SINEW_OK);
+        CHECK(sinew_world_add_particle(world, &spec, &ball) == SINEW_OK);
+        CHECK(sinew_world_run_until(world, 2) == SINEW_OK && fabs(height_of(world, ball) - 0.25) < 1e-3);
+        CHECK(sinew_world_remove_collider(world, collider) == SINEW_OK);
+        CHECK(sinew_world_remove_collider(world, collider) == SINEW_BAD_ID);
+        CHECK(sinew_world_run_until(world, 3) == SINEW_OK && height_of(world, ball) < -1);
+        CHECK(sinew_world_close(world) == SINEW_OK);
     }
-    const sinew_simulation world = created();
+    const sinew_world world = created();
     sinew_collider none = 5;
     sinew_collider_spec wrong = {.struct_size = sizeof wrong, .shape = SINEW_SPHERE};
-    CHECK(sinew_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT);
     wrong = (sinew_collider_spec){.struct_size = sizeof wrong, .shape = 99, .radius = 1};
-    CHECK(sinew_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT);
     const sinew_point clockwise[] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
     wrong = (sinew_collider_spec){
         .struct_size = sizeof wrong, .shape = SINEW_POLYGON_2D, .points = clockwise, .point_count = 3};
-    CHECK(sinew_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT && none == 5);
-    CHECK(sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT && none == 5);
+    CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
 static void user_data_belongs_to_an_object(void) {
-    const sinew_simulation world = created();
+    const sinew_world world = created();
     int mine = 0;
     void* found = &failures;
     uint32_t figure;
     sinew_particle end;
     CHECK(add_rope(world, NULL, NULL, 0, &figure) == SINEW_OK);
-    CHECK(sinew_find_particle(world, "rope/end", &end) == SINEW_OK);
-    CHECK(sinew_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_OK && found == NULL);
-    CHECK(sinew_set_user_data(world, SINEW_OF_PARTICLE, end, &mine) == SINEW_OK);
-    CHECK(sinew_set_user_data(world, SINEW_OF_FIGURE, figure, &failures) == SINEW_OK);
-    CHECK(sinew_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_OK && found == &mine);
-    CHECK(sinew_get_user_data(world, SINEW_OF_FIGURE, figure, &found) == SINEW_OK && found == &failures);
-    CHECK(sinew_set_user_data(world, SINEW_OF_CONSTRAINT, end ^ 1u << 20, &mine) == SINEW_BAD_ID);
-    CHECK(sinew_set_user_data(world, (sinew_object)9, end, &mine) == SINEW_BAD_ARGUMENT);
-    CHECK(sinew_remove_figure(world, figure) == SINEW_OK);
-    CHECK(sinew_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_BAD_ID);
+    CHECK(sinew_world_find_particle(world, "rope/end", &end) == SINEW_OK);
+    CHECK(sinew_world_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_OK && found == NULL);
+    CHECK(sinew_world_set_user_data(world, SINEW_OF_PARTICLE, end, &mine) == SINEW_OK);
+    CHECK(sinew_world_set_user_data(world, SINEW_OF_FIGURE, figure, &failures) == SINEW_OK);
+    CHECK(sinew_world_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_OK && found == &mine);
+    CHECK(sinew_world_get_user_data(world, SINEW_OF_FIGURE, figure, &found) == SINEW_OK && found == &failures);
+    CHECK(sinew_world_set_user_data(world, SINEW_OF_CONSTRAINT, end ^ 1u << 20, &mine) == SINEW_BAD_ID);
+    CHECK(sinew_world_set_user_data(world, (sinew_object)9, end, &mine) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_remove_figure(world, figure) == SINEW_OK);
+    CHECK(sinew_world_get_user_data(world, SINEW_OF_PARTICLE, end, &found) == SINEW_BAD_ID);
     CHECK(add_rope(world, NULL, NULL, 0, &figure) == SINEW_OK); /* takes the freed index */
-    CHECK(sinew_get_user_data(world, SINEW_OF_FIGURE, figure, &found) == SINEW_OK && found == NULL);
-    CHECK(sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_get_user_data(world, SINEW_OF_FIGURE, figure, &found) == SINEW_OK && found == NULL);
+    CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
 typedef struct counts {
@@ -158,26 +173,26 @@ static void count_polygon(void* context, const sinew_point* corners, size_t coun
 }
 
 static void everything_is_drawn(void) {
-    const sinew_simulation world = created();
+    const sinew_world world = created();
     const sinew_parameter parameters[] = {{"segments", 8, NULL}};
     const sinew_collider_spec box = {
         .struct_size = sizeof box, .shape = SINEW_BOX, .half = {1, 1, 0}, .position = {9, 0, 0}};
     sinew_collider collider;
     counts seen = {0, 0, 0};
     CHECK(add_rope(world, NULL, parameters, 1, NULL) == SINEW_OK);
-    CHECK(sinew_add_collider(world, &box, &collider) == SINEW_OK);
+    CHECK(sinew_world_add_collider(world, &box, &collider) == SINEW_OK);
     sinew_debug_draw draw = {.struct_size = sizeof draw,
                              .context = &seen,
                              .segment = count_segment,
                              .sphere = count_sphere,
                              .polygon = count_polygon};
-    CHECK(sinew_draw_debug(world, &draw, 10) == SINEW_OK);
+    CHECK(sinew_world_draw_debug(world, &draw, 10) == SINEW_OK);
     CHECK(seen.segments == 8 && seen.spheres == 9 && seen.polygons == 1);
     draw.parts = SINEW_DRAW_PARTICLES;
     draw.sphere = NULL;
-    CHECK(sinew_draw_debug(world, &draw, 10) == SINEW_OK && seen.segments == 8 && seen.spheres == 9);
-    CHECK(sinew_draw_debug(world, &draw, -1) == SINEW_BAD_ARGUMENT);
-    CHECK(sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_draw_debug(world, &draw, 10) == SINEW_OK && seen.segments == 8 && seen.spheres == 9);
+    CHECK(sinew_world_draw_debug(world, &draw, -1) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
 static void count_failure(void* context, sinew_status status, const char* message) {
@@ -190,25 +205,25 @@ static void one_after_the_other(void* context, void (*task)(void*, uint32_t), vo
 
 /* A cloth of 10,000 particles is worth several threads; the caller's do it to the same bits. */
 static uint64_t hash_of_a_cloth(uint32_t threads) {
-    const sinew_simulation world = created();
+    const sinew_world world = created();
     const sinew_parameter parameters[] = {{"columns", 100, NULL}, {"rows", 100, NULL}};
     const sinew_figure_spec spec = {
         .struct_size = sizeof spec, .prefab = "cloth", .parameters = parameters, .parameter_count = 2};
     uint64_t hash = 0;
-    CHECK(sinew_set_threads(world, threads) == SINEW_OK);
-    CHECK(sinew_add_figure(world, &spec, NULL) == SINEW_OK);
-    CHECK(sinew_step(world, 2) == SINEW_OK);
-    CHECK(sinew_state_hash(world, &hash) == SINEW_OK);
-    CHECK(sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_set_threads(world, threads) == SINEW_OK);
+    CHECK(sinew_world_add_figure(world, &spec, NULL) == SINEW_OK);
+    CHECK(sinew_world_step(world, 2) == SINEW_OK);
+    CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK);
+    CHECK(sinew_world_close(world) == SINEW_OK);
     return hash;
 }
 
 static void hooks_are_called(void) {
     int told = 0, shared = 0;
     sinew_set_log(count_failure, &told);
-    CHECK(sinew_step((sinew_simulation){0}, 1) == SINEW_BAD_HANDLE && told == 1);
+    CHECK(sinew_world_step((sinew_world){0}, 1) == SINEW_BAD_HANDLE && told == 1);
     sinew_set_log(NULL, NULL);
-    CHECK(sinew_step((sinew_simulation){0}, 1) == SINEW_BAD_HANDLE && told == 1);
+    CHECK(sinew_world_step((sinew_world){0}, 1) == SINEW_BAD_HANDLE && told == 1);
     const uint64_t alone = hash_of_a_cloth(1);
     sinew_set_parallel(one_after_the_other, &shared);
     CHECK(hash_of_a_cloth(4) == alone && shared > 0);
@@ -251,20 +266,21 @@ static void instruction_sets_agree(void) {
     uint64_t first = 0, hash = 0;
     int tried = 0;
     for (int i = 0; i < 5; ++i) {
-        const sinew_simulation world = created();
-        const sinew_status status = sinew_set_simd(world, names[i]);
+        const sinew_world world = created();
+        const sinew_status status = sinew_world_set_simd(world, names[i]);
         CHECK(status == SINEW_OK || status == SINEW_NOT_FOUND);
         if (status == SINEW_OK) {
-            CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK && sinew_step(world, 60) == SINEW_OK);
-            CHECK(sinew_state_hash(world, &hash) == SINEW_OK && (tried == 0 || hash == first));
+            CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK && sinew_world_step(world, 60) == SINEW_OK);
+            CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK && (tried == 0 || hash == first));
             if (tried++ == 0) first = hash;
         }
-        CHECK(sinew_close(world) == SINEW_OK);
+        CHECK(sinew_world_close(world) == SINEW_OK);
     }
-    const sinew_simulation world = created();
-    CHECK(tried > 0 && sinew_set_simd(world, NULL) == SINEW_OK && sinew_set_simd(world, sinew_simd()) == SINEW_OK);
-    CHECK(sinew_set_simd(world, "mmx") == SINEW_NOT_FOUND && strstr(sinew_message(), "mmx") != NULL);
-    CHECK(sinew_close(world) == SINEW_OK);
+    const sinew_world world = created();
+    CHECK(tried > 0 && sinew_world_set_simd(world, NULL) == SINEW_OK &&
+          sinew_world_set_simd(world, sinew_simd()) == SINEW_OK);
+    CHECK(sinew_world_set_simd(world, "mmx") == SINEW_NOT_FOUND && strstr(sinew_message(), "mmx") != NULL);
+    CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
 /* All memory comes from the caller, and goes back there; a step takes none. */
@@ -286,23 +302,23 @@ static void give(void* context, void* memory, size_t size) {
 static void memory_is_the_callers(void) {
     struct counter counter = {0};
     CHECK(sinew_set_allocator(take, NULL, NULL) == SINEW_BAD_ARGUMENT);
-    const sinew_simulation before = created();
+    const sinew_world before = created();
     CHECK(sinew_set_allocator(take, give, &counter) == SINEW_OK);
-    const sinew_simulation world = created();
-    CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK && sinew_step(world, 60) == SINEW_OK);
+    const sinew_world world = created();
+    CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK && sinew_world_step(world, 60) == SINEW_OK);
     CHECK(counter.taken > 10000 && counter.released > 0);
     const size_t blocks = counter.blocks;
-    CHECK(sinew_step(world, 120) == SINEW_OK && counter.blocks == blocks);
-    CHECK(sinew_close(before) == SINEW_OK && sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_step(world, 120) == SINEW_OK && counter.blocks == blocks);
+    CHECK(sinew_world_close(before) == SINEW_OK && sinew_world_close(world) == SINEW_OK);
     CHECK(counter.taken - counter.released < 5000); /* handles, and the thread's last message */
     CHECK(sinew_set_allocator(NULL, NULL, NULL) == SINEW_OK);
     const size_t after = counter.blocks;
-    CHECK(sinew_close(created()) == SINEW_OK && counter.blocks == after);
+    CHECK(sinew_world_close(created()) == SINEW_OK && counter.blocks == after);
 }
 
 /* A character of the C face walks at its speed and stands on the ground; a car drives. */
 static void figures_are_steered(void) {
-    const sinew_simulation world = created();
+    const sinew_world world = created();
     const sinew_collider_spec ground = {.struct_size = sizeof ground, .friction = 0.8};
     const sinew_parameter speed[] = {{"speed", 3, NULL}};
     const sinew_figure_spec hero = {
@@ -314,34 +330,37 @@ static void figures_are_steered(void) {
     sinew_particle_state state, wheel;
     sinew_footing footing = {0};
     uint32_t character, car, rope;
-    CHECK(sinew_add_collider(world, &ground, &id) == SINEW_OK);
-    CHECK(sinew_add_figure(world, &hero, &character) == SINEW_OK && sinew_add_figure(world, &racer, &car) == SINEW_OK);
+    CHECK(sinew_world_add_collider(world, &ground, &id) == SINEW_OK);
+    CHECK(sinew_world_add_figure(world, &hero, &character) == SINEW_OK &&
+          sinew_world_add_figure(world, &racer, &car) == SINEW_OK);
     CHECK(add_rope(world, NULL, NULL, 0, &rope) == SINEW_OK);
-    CHECK(sinew_step(world, 30) == SINEW_OK);
-    CHECK(sinew_steer(world, character, &controls) == SINEW_OK && sinew_steer(world, car, &controls) == SINEW_OK);
-    CHECK(sinew_step(world, 60) == SINEW_OK);
-    CHECK(sinew_get_footing(world, character, &footing) == SINEW_OK && footing.on_ground == 1);
+    CHECK(sinew_world_step(world, 30) == SINEW_OK);
+    CHECK(sinew_world_steer(world, character, &controls) == SINEW_OK &&
+          sinew_world_steer(world, car, &controls) == SINEW_OK);
+    CHECK(sinew_world_step(world, 60) == SINEW_OK);
+    CHECK(sinew_world_get_footing(world, character, &footing) == SINEW_OK && footing.on_ground == 1);
     CHECK(footing.is_holding == 0 && footing.figure == ~0u);
-    CHECK(sinew_find_particle(world, "character/feet", &feet) == SINEW_OK);
-    CHECK(sinew_find_particle(world, "car/rear_wheel", &rear) == SINEW_OK);
-    CHECK(sinew_get_particle(world, feet, &state) == SINEW_OK && sinew_get_particle(world, rear, &wheel) == SINEW_OK);
+    CHECK(sinew_world_find_particle(world, "character/feet", &feet) == SINEW_OK);
+    CHECK(sinew_world_find_particle(world, "car/rear_wheel", &rear) == SINEW_OK);
+    CHECK(sinew_world_get_particle(world, feet, &state) == SINEW_OK &&
+          sinew_world_get_particle(world, rear, &wheel) == SINEW_OK);
     CHECK(fabs(state.velocity[0] - 3) < 0.1);
     CHECK(wheel.velocity[0] > 2);
-    CHECK(sinew_steer(world, character, NULL) == SINEW_OK && sinew_step(world, 30) == SINEW_OK);
-    CHECK(sinew_get_particle(world, feet, &state) == SINEW_OK && fabs(state.velocity[0]) < 0.05);
-    CHECK(sinew_steer(world, rope, &controls) == SINEW_BAD_ARGUMENT);
-    CHECK(sinew_steer(world, 1u << 30, &controls) == SINEW_BAD_ARGUMENT);
-    CHECK(sinew_get_footing(world, car, &footing) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_steer(world, character, NULL) == SINEW_OK && sinew_world_step(world, 30) == SINEW_OK);
+    CHECK(sinew_world_get_particle(world, feet, &state) == SINEW_OK && fabs(state.velocity[0]) < 0.05);
+    CHECK(sinew_world_steer(world, rope, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_steer(world, 1u << 30, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_get_footing(world, car, &footing) == SINEW_BAD_ARGUMENT);
     controls.along = NAN;
-    CHECK(sinew_steer(world, character, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_steer(world, character, &controls) == SINEW_BAD_ARGUMENT);
     controls.struct_size = 4;
-    CHECK(sinew_steer(world, character, &controls) == SINEW_BAD_ARGUMENT);
-    CHECK(sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_steer(world, character, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
 /* A filter's caller: a platform that nothing touches. */
 struct level {
-    sinew_simulation world;
+    sinew_world world;
     sinew_collider platform;
     sinew_particle ball;
     int asked, of_ball, refused_changes;
@@ -352,11 +371,11 @@ static int all_but_platform(void* context, sinew_pending_contact* contact) {
     CHECK(contact->struct_size == sizeof *contact && contact->other == SINEW_NO_ID);
     CHECK(fabs(fabs(contact->normal.y) - 1) < 1e-9); /* down for a ball in the lower half of the platform */
     CHECK(fabs(contact->friction - 0.4) < 1e-9);
-    CHECK(sinew_get_user_data(level->world, SINEW_OF_PARTICLE, contact->particle, &data) == SINEW_OK);
+    CHECK(sinew_world_get_user_data(level->world, SINEW_OF_PARTICLE, contact->particle, &data) == SINEW_OK);
     level->of_ball += data == level;
-    level->refused_changes += sinew_close(level->world) == SINEW_READ_ONLY &&
-                              sinew_step(level->world, 1) == SINEW_READ_ONLY &&
-                              sinew_set_contact_filter(level->world, NULL, NULL) == SINEW_READ_ONLY;
+    level->refused_changes += sinew_world_close(level->world) == SINEW_READ_ONLY &&
+                              sinew_world_step(level->world, 1) == SINEW_READ_ONLY &&
+                              sinew_world_set_contact_filter(level->world, NULL, NULL) == SINEW_READ_ONLY;
     ++level->asked;
     return contact->collider != level->platform;
 }
@@ -369,29 +388,30 @@ static void contacts_are_filtered(void) {
     const sinew_collider_spec platform = {
         .struct_size = sizeof platform, .shape = SINEW_BOX, .half = {2, 0.1, 0}, .friction = 0.4};
     const sinew_figure_spec spec = {.struct_size = sizeof spec, .prefab = "ball", .position = {0, 1, 0}};
-    CHECK(sinew_add_collider(level.world, &floor, &ground) == SINEW_OK);
-    CHECK(sinew_add_collider(level.world, &platform, &level.platform) == SINEW_OK);
-    CHECK(sinew_add_figure(level.world, &spec, NULL) == SINEW_OK);
-    CHECK(sinew_particle_at(level.world, 0, &level.ball) == SINEW_OK);
-    CHECK(sinew_set_user_data(level.world, SINEW_OF_PARTICLE, level.ball, &level) == SINEW_OK);
-    CHECK(sinew_step(level.world, 60) == SINEW_OK && height_of(level.world, level.ball) > 0.1);
+    CHECK(sinew_world_add_collider(level.world, &floor, &ground) == SINEW_OK);
+    CHECK(sinew_world_add_collider(level.world, &platform, &level.platform) == SINEW_OK);
+    CHECK(sinew_world_add_figure(level.world, &spec, NULL) == SINEW_OK);
+    CHECK(sinew_world_particle_at(level.world, 0, &level.ball) == SINEW_OK);
+    CHECK(sinew_world_set_user_data(level.world, SINEW_OF_PARTICLE, level.ball, &level) == SINEW_OK);
+    CHECK(sinew_world_step(level.world, 60) == SINEW_OK && height_of(level.world, level.ball) > 0.1);
 
-    CHECK(sinew_set_contact_filter(level.world, all_but_platform, &level) == SINEW_OK);
-    CHECK(sinew_step(level.world, 30) == SINEW_OK);
-    CHECK(sinew_contact_count(level.world, &count) == SINEW_OK && count == 0);
-    CHECK(sinew_run_until(level.world, 4) == SINEW_OK);
+    CHECK(sinew_world_set_contact_filter(level.world, all_but_platform, &level) == SINEW_OK);
+    CHECK(sinew_world_step(level.world, 30) == SINEW_OK);
+    CHECK(sinew_world_contact_count(level.world, &count) == SINEW_OK && count == 0);
+    CHECK(sinew_world_run_until(level.world, 4) == SINEW_OK);
     CHECK(height_of(level.world, level.ball) < -2 && height_of(level.world, level.ball) > -3);
-    CHECK(sinew_contact_count(level.world, &count) == SINEW_OK && count == 1);
+    CHECK(sinew_world_contact_count(level.world, &count) == SINEW_OK && count == 1);
     CHECK(level.asked > 0 && level.of_ball == level.asked && level.refused_changes == level.asked);
 
     const int before = level.asked;
-    sinew_simulation copy;
-    CHECK(sinew_copy(level.world, &copy) == SINEW_OK && sinew_step(copy, 5) == SINEW_OK);
-    CHECK(sinew_close(copy) == SINEW_OK && level.asked == before);
-    CHECK(sinew_set_contact_filter(level.world, NULL, NULL) == SINEW_OK && sinew_step(level.world, 5) == SINEW_OK);
+    sinew_world copy;
+    CHECK(sinew_world_copy(level.world, &copy) == SINEW_OK && sinew_world_step(copy, 5) == SINEW_OK);
+    CHECK(sinew_world_close(copy) == SINEW_OK && level.asked == before);
+    CHECK(sinew_world_set_contact_filter(level.world, NULL, NULL) == SINEW_OK &&
+          sinew_world_step(level.world, 5) == SINEW_OK);
     CHECK(level.asked == before);
-    CHECK(sinew_set_contact_filter((sinew_simulation){12345}, all_but_platform, NULL) == SINEW_BAD_HANDLE);
-    CHECK(sinew_close(level.world) == SINEW_OK);
+    CHECK(sinew_world_set_contact_filter((sinew_world){12345}, all_but_platform, NULL) == SINEW_BAD_HANDLE);
+    CHECK(sinew_world_close(level.world) == SINEW_OK);
 }
 
 static uint32_t little(const uint8_t* bytes) {
@@ -400,7 +420,7 @@ static uint32_t little(const uint8_t* bytes) {
 
 /* A point cache of a rope: a header of 32 bytes, then three floats a vertex and frame. */
 static void files_are_bytes(void) {
-    const sinew_simulation world = created();
+    const sinew_world world = created();
     const char* const names[] = {"line"};
     sinew_export_spec spec = {.struct_size = sizeof spec, .figure_count = 1, .figures = names, .fps = 60};
     sinew_export file;
@@ -413,7 +433,7 @@ static void files_are_bytes(void) {
     CHECK(sinew_export_finish(file, &count) == SINEW_BAD_ARGUMENT);
     for (int frame = 0; frame < 5; ++frame) {
         CHECK(sinew_export_frame(file, world) == SINEW_OK);
-        CHECK(sinew_step(world, 1) == SINEW_OK);
+        CHECK(sinew_world_step(world, 1) == SINEW_OK);
     }
     CHECK(sinew_export_file(file, 0, &name, &bytes, &size) == SINEW_NOT_FOUND);
     CHECK(sinew_export_finish(file, &count) == SINEW_OK);
@@ -437,15 +457,16 @@ static void files_are_bytes(void) {
     CHECK(sinew_export_finish(file, &count) == SINEW_OK && count == 1);
     CHECK(sinew_export_note(file, 0, &name) == SINEW_OK && strstr(name, "px") != NULL);
     CHECK(sinew_export_close(file) == SINEW_OK);
-    CHECK(sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
 /* A drawing becomes a scene, and a map that refers to a tileset beside it. */
 static void other_files_are_scenes(void) {
     static const char drawing[] = "<svg width='90' height='90'>\n<text>a</text><rect width='9' height='9'/></svg>";
-    static const char map[] = "{\"tilewidth\":8,\"tileheight\":8,\"width\":1,\"height\":1,\"tilesets\":[{\"firstgid\":1,"
-                              "\"source\":\"t/a.tsx\"}],\"layers\":[{\"type\":\"tilelayer\",\"width\":1,\"height\":1,"
-                              "\"data\":[1]}]}";
+    static const char map[] =
+        "{\"tilewidth\":8,\"tileheight\":8,\"width\":1,\"height\":1,\"tilesets\":[{\"firstgid\":1,"
+        "\"source\":\"t/a.tsx\"}],\"layers\":[{\"type\":\"tilelayer\",\"width\":1,\"height\":1,"
+        "\"data\":[1]}]}";
     static const char tiles[] = "<tileset tilewidth='8' tileheight='8'><tile id='0'><objectgroup><object width='8' "
                                 "height='8'/></objectgroup></tile></tileset>";
     const char* const names[] = {"a.tsx"};
@@ -453,14 +474,14 @@ static void other_files_are_scenes(void) {
     const size_t sizes[] = {sizeof tiles - 1};
     sinew_import_spec spec = {.struct_size = sizeof spec, .role = "jelly"};
     sinew_import file;
-    sinew_simulation world;
+    sinew_world world;
     const char *text = NULL, *place = NULL, *note = NULL;
     const uint8_t* bytes = NULL;
     size_t size = 0;
     CHECK(sinew_import_open("a.svg", (const uint8_t*)drawing, sizeof drawing - 1, &spec, &file) == SINEW_OK);
     CHECK(sinew_import_scene(file, &text) == SINEW_OK && strstr(text, "\"internal_damping\"") != NULL);
-    CHECK(sinew_open(text, NULL, &world) == SINEW_OK);
-    CHECK(sinew_step(world, 2) == SINEW_OK && sinew_close(world) == SINEW_OK);
+    CHECK(sinew_world_open(text, NULL, &world) == SINEW_OK);
+    CHECK(sinew_world_step(world, 2) == SINEW_OK && sinew_world_close(world) == SINEW_OK);
     CHECK(sinew_import_note(file, 0, &place, &note) == SINEW_OK);
     CHECK(strncmp(place, "2:2", 3) == 0 && strstr(note, "<text>") != NULL);
     CHECK(sinew_import_note(file, 1, &place, &note) == SINEW_NOT_FOUND);
@@ -490,6 +511,7 @@ static void other_files_are_scenes(void) {
 int main(void) {
     an_empty_world_falls();
     wrong_sizes_and_numbers_are_errors();
+    structs_of_a_later_version_are_read_as_far_as_they_are_known();
     prefabs_take_parameters();
     colliders_carry();
     user_data_belongs_to_an_object();

@@ -18,20 +18,20 @@ namespace fs = std::filesystem;
 std::string level(const std::string& push, const std::string& more = {}) {
     return R"(#include <sinew_level.h>
 #include <stdio.h>
-static sinew_status build(sinew_simulation world) {
+static sinew_status build(sinew_world world) {
     const sinew_figure_spec ball = {.struct_size = sizeof ball, .prefab = "ball", .velocity = {1, 0, 0}};
-    return sinew_add_figure(world, &ball, NULL);
+    return sinew_world_add_figure(world, &ball, NULL);
 }
-static sinew_status step(sinew_simulation world, const sinew_moment* moment) {
+static sinew_status step(sinew_world world, const sinew_moment* moment) {
     unsigned* count = (unsigned*)moment->memory;
     sinew_particle ball;
     ++*count;
-    sinew_status status = sinew_find_particle(world, "ball/ball", &ball);
+    sinew_status status = sinew_world_find_particle(world, "ball/ball", &ball);
     if (status != SINEW_OK) return status;
-    if (sinew_step(world, 1) != SINEW_READ_ONLY) return SINEW_BAD_ARGUMENT;
+    if (sinew_world_step(world, 1) != SINEW_READ_ONLY) return SINEW_BAD_ARGUMENT;
 )" + more +
            "\n    const sinew_point force = " + push + R"(;
-    return sinew_apply_force(world, ball, force);
+    return sinew_world_apply_force(world, ball, force);
 }
 SINEW_LEVEL(.scene = "{\"sinew\": 1, \"world\": {\"gravity\": [0, 0]}}", .build = build, .step = step,
             .memory = sizeof(unsigned))
@@ -126,16 +126,15 @@ TEST(Level, TellsItsErrors) {
     write(folder / "scene.c",
           "#include <sinew_level.h>\nSINEW_LEVEL(.scene = \"{\\\"sinew\\\": 1, \\\"figs\\\": []}\")\n");
     write(folder / "build.c", R"(#include <sinew_level.h>
-static sinew_status build(sinew_simulation world) {
+static sinew_status build(sinew_world world) {
     const sinew_figure_spec spec = {.struct_size = sizeof spec, .prefab = "roope"};
-    return sinew_add_figure(world, &spec, NULL);
+    return sinew_world_add_figure(world, &spec, NULL);
 }
 SINEW_LEVEL(.build = build)
 )");
-    write(folder / "missing.c",
-          "#include <sinew_level.h>\nvoid nowhere(void);\n"
-          "static sinew_status build(sinew_simulation w) { (void)w; nowhere(); return SINEW_OK; }\n"
-          "SINEW_LEVEL(.build = build)\n");
+    write(folder / "missing.c", "#include <sinew_level.h>\nvoid nowhere(void);\n"
+                                "static sinew_status build(sinew_world w) { (void)w; nowhere(); return SINEW_OK; }\n"
+                                "SINEW_LEVEL(.build = build)\n");
     write(folder / "empty.so", "");
     const auto error = [&](const std::string& name) {
         const auto outcome = play(folder, name, "0.1 end\n");
@@ -155,7 +154,7 @@ SINEW_LEVEL(.build = build)
 /// A failure in a step is told, and the world goes on without the level.
 TEST(Level, StopsCodeThatFails) {
     const ScratchFolder folder;
-    write(folder / "fail.c", level("{0, 0, 0}", "if (*count == 30) return sinew_remove_figure(world, 77);"));
+    write(folder / "fail.c", level("{0, 0, 0}", "if (*count == 30) return sinew_world_remove_figure(world, 77);"));
     const auto outcome = play(folder, "fail.c", "2 where ball/ball\n2 end\n");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_TRUE(has(outcome.err, "fail.c: step: "));

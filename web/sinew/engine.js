@@ -5,7 +5,7 @@ import { Player } from "./player.js";
 import { Simulation } from "./simulation.js";
 
 /** The ABI of bindings/c/sinew.h that this package is written for. */
-export const abi = 2;
+export const abi = 3;
 
 /** An instance of the module, with a memory of its own. Worlds of float are in a second one: loadFloat in index.js. */
 export class Engine {
@@ -46,7 +46,7 @@ export class Engine {
     }
 
     open(scene, options = {}) {
-        return this.ofPrecision((engine) => new Simulation(engine, engine.opened("sinew_open", scene, options)));
+        return this.ofPrecision((engine) => new Simulation(engine, engine.opened("sinew_world_open", scene, options)));
     }
 
     /** Opens what Simulation.save() gave, here or on another machine. */
@@ -55,14 +55,14 @@ export class Engine {
         const engine = bytes[precisionAt] === 32 && this.float ? this.float : this;
         const { data } = engine;
         const handle = data.within((arena) => {
-            engine.call("sinew_load", arena.bytes(bytes), bytes.length, optionsIn(arena, options), data.result);
+            engine.call("sinew_world_load", arena.bytes(bytes), bytes.length, optionsIn(arena, options), data.result);
             return data.uint(data.result);
         });
         return new Simulation(engine, handle);
     }
 
     play(scene, options = {}) {
-        return this.ofPrecision((engine) => new Player(engine, engine.opened("sinew_play", scene, options)));
+        return this.ofPrecision((engine) => new Player(engine, engine.opened("sinew_player_create", scene, options)));
     }
 
     check(scene, options = {}) {

@@ -21,7 +21,7 @@ export class Player extends Handle {
     }
 
     get simulation() { return this.pane(0); }
-    pane(index) { return new Simulation(this.engine, this.engine.data.uint(this.ask("sinew_player_simulation", index))); }
+    pane(index) { return new Simulation(this.engine, this.engine.data.uint(this.ask("sinew_player_world", index))); }
 
     dispose() {
         if (this.isClosed) return;

@@ -17,7 +17,7 @@ export class Readable extends Handle {
 
     info() {
         const { realBytes, isClassic, yIsDown, readOnly, viewWidth, viewHeight, ...info } =
-            this.engine.data.read(infoLayout, this.ask("sinew_get_info"));
+            this.engine.data.read(infoLayout, this.ask("sinew_world_get_info"));
         return { ...info, precision: realBytes === 4 ? "float" : "double", isClassic: isClassic !== 0, yIsDown: yIsDown !== 0,
             isReadOnly: readOnly !== 0, size: [viewWidth, viewHeight] };
     }
@@ -27,22 +27,22 @@ export class Readable extends Handle {
     get asleepCount() { return this.info().asleep; }
 
     hash() {
-        return this.engine.data.id(this.ask("sinew_state_hash")).toString(16).padStart(16, "0");
+        return this.engine.data.id(this.ask("sinew_world_state_hash")).toString(16).padStart(16, "0");
     }
 
     report() {
-        return this.engine.data.read(report, this.ask("sinew_get_report"));
+        return this.engine.data.read(report, this.ask("sinew_world_get_report"));
     }
 
     events(since = 0) {
         const { data } = this.engine;
-        const count = data.uint(this.ask("sinew_event_count"));
-        return Array.from({ length: Math.max(0, count - since) }, (_, i) => data.read(event, this.ask("sinew_event_at", since + i)));
+        const count = data.uint(this.ask("sinew_world_event_count"));
+        return Array.from({ length: Math.max(0, count - since) }, (_, i) => data.read(event, this.ask("sinew_world_event_at", since + i)));
     }
 
     column(number) {
         const { data } = this.engine;
-        const { data: address, rows, components, numberBytes, isInteger } = data.read(view, this.ask("sinew_get_column", number));
+        const { data: address, rows, components, numberBytes, isInteger } = data.read(view, this.ask("sinew_world_get_column", number));
         const Numbers = isInteger ? Uint32Array : numberBytes === 4 ? Float32Array : Float64Array;
         return rows === 0 ? new Numbers(0) : new Numbers(data.buffer, address, rows * components);
     }
@@ -64,7 +64,7 @@ export class Readable extends Handle {
         const { data } = this.engine;
         const figures = [];
         for (let index = 0; index < this.info().figures; ++index) {
-            if (!this.engine.finds("sinew_figure_at", this.handle, index, data.result)) continue;
+            if (!this.engine.finds("sinew_world_figure_at", this.handle, index, data.result)) continue;
             const { isQuarantined, ...figure } = data.read(figureLayout, data.result);
             figures.push({ index, ...figure, isQuarantined: isQuarantined !== 0 });
         }
@@ -74,7 +74,7 @@ export class Readable extends Handle {
     /** Index of a figure by name; an index is returned as it is. */
     figure(which) {
         if (typeof which === "number") return which;
-        return this.engine.data.within((arena) => this.engine.data.uint(this.ask("sinew_find_figure", arena.text(which))));
+        return this.engine.data.within((arena) => this.engine.data.uint(this.ask("sinew_world_find_figure", arena.text(which))));
     }
 
     /** Rows of the particles of a figure, in their order. */
@@ -87,13 +87,13 @@ export class Readable extends Handle {
     /** The id of a particle by name or row; an id is returned as it is. */
     particle(which) {
         if (typeof which === "bigint") return which;
-        if (typeof which === "number") return this.engine.data.id(this.ask("sinew_particle_at", which));
-        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_find_particle", arena.text(which))));
+        if (typeof which === "number") return this.engine.data.id(this.ask("sinew_world_particle_at", which));
+        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_world_find_particle", arena.text(which))));
     }
 
     constraint(which) {
         if (typeof which === "bigint") return which;
-        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_find_constraint", arena.text(which))));
+        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_world_find_constraint", arena.text(which))));
     }
 
     kind(which) {
@@ -104,21 +104,21 @@ export class Readable extends Handle {
     }
 
     nameOf(particle) {
-        return this.engine.data.textFrom(this.ask("sinew_particle_name", this.particle(particle)));
+        return this.engine.data.textFrom(this.ask("sinew_world_particle_name", this.particle(particle)));
     }
 
     stateOf(particle) {
-        const { position, velocity, isAsleep, ...state } = this.engine.data.read(particleState, this.ask("sinew_get_particle", this.particle(particle)));
+        const { position, velocity, isAsleep, ...state } = this.engine.data.read(particleState, this.ask("sinew_world_get_particle", this.particle(particle)));
         return { position: position.slice(0, this.dimension), velocity: velocity.slice(0, this.dimension), ...state, isAsleep: isAsleep !== 0 };
     }
 
     loadOf(constraint) {
-        return this.engine.data.read(constraintState, this.ask("sinew_get_constraint", this.constraint(constraint)));
+        return this.engine.data.read(constraintState, this.ask("sinew_world_get_constraint", this.constraint(constraint)));
     }
 
     constraintsOf(kind) {
         const number = this.kind(kind);
-        const count = this.engine.data.uint(this.ask("sinew_constraint_count", number));
-        return Array.from({ length: count }, (_, row) => this.engine.data.id(this.ask("sinew_constraint_at", number, row)));
+        const count = this.engine.data.uint(this.ask("sinew_world_constraint_count", number));
+        return Array.from({ length: count }, (_, row) => this.engine.data.id(this.ask("sinew_world_constraint_at", number, row)));
     }
 }

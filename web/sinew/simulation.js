@@ -12,37 +12,37 @@ const noId = 0xffffffffffffffffn, noFigure = 0xffffffff;
 
 /** A running scene without a pointer, or the scene of a player for reading. */
 export class Simulation extends Readable {
-    step(count = 1) { this.call("sinew_step", count); }
-    runUntil(seconds) { this.call("sinew_run_until", seconds); }
-    restart() { this.call("sinew_restart"); }
+    step(count = 1) { this.call("sinew_world_step", count); }
+    runUntil(seconds) { this.call("sinew_world_run_until", seconds); }
+    restart() { this.call("sinew_world_restart"); }
 
     copy() {
-        return new Simulation(this.engine, this.engine.data.uint(this.ask("sinew_copy")));
+        return new Simulation(this.engine, this.engine.data.uint(this.ask("sinew_world_copy")));
     }
 
     /** The bytes of the simulation in its present state, for Engine.load(). */
     save() {
         const { data } = this.engine;
-        this.call("sinew_save", data.result, data.result + 4);
+        this.call("sinew_world_save", data.result, data.result + 4);
         return new Uint8Array(data.buffer, data.uint(data.result), data.uint(data.result + 4)).slice();
     }
 
     dispose() {
         if (this.isClosed || this.isReadOnly) return;
         this.isClosed = true;
-        this.call("sinew_close");
+        this.call("sinew_world_close");
     }
 
     // --- contacts and queries -------------------------------------------------------------------------------------
 
-    listContacts(on = true) { this.call("sinew_list_contacts", on ? 1 : 0); }
+    listContacts(on = true) { this.call("sinew_world_list_contacts", on ? 1 : 0); }
 
     contacts() {
         const { data } = this.engine;
-        const count = data.uint(this.ask("sinew_contact_count"));
+        const count = data.uint(this.ask("sinew_world_contact_count"));
         const orNull = (number, nothing) => (number === nothing ? null : number);
         return Array.from({ length: count }, (_, index) => {
-            const { phase, other, collider, figure, otherFigure, point, normal, ...more } = data.read(contact, this.ask("sinew_contact_at", index));
+            const { phase, other, collider, figure, otherFigure, point, normal, ...more } = data.read(contact, this.ask("sinew_world_contact_at", index));
             const vector = (numbers) => numbers.slice(0, this.dimension);
             return { phase: phases[phase], ...more, other: orNull(other, noId), collider: orNull(collider, noId), figure: orNull(figure, noFigure),
                 otherFigure: orNull(otherFigure, noFigure), point: vector(point), normal: vector(normal) };
@@ -58,14 +58,14 @@ export class Simulation extends Readable {
     nearestParticle(point, reach) {
         const { data } = this.engine;
         const at = data.result;
-        return this.found("sinew_nearest_particle", point, [reach, at, at + 8],
+        return this.found("sinew_world_nearest_particle", point, [reach, at, at + 8],
             () => ({ particle: data.id(at), distance: data.double(at + 8) }));
     }
 
     nearestLink(point, reach) {
         const { data } = this.engine;
         const at = data.result;
-        return this.found("sinew_nearest_link", point, [reach, at, at + 8, at + 16],
+        return this.found("sinew_world_nearest_link", point, [reach, at, at + 8, at + 16],
             () => ({ link: data.id(at), t: data.double(at + 8), distance: data.double(at + 16) }));
     }
 
@@ -73,7 +73,7 @@ export class Simulation extends Readable {
         const { data } = this.engine;
         const vector = (numbers) => numbers.slice(0, this.dimension);
         return data.within((arena) => {
-            if (!this.engine.finds("sinew_cast_ray", this.handle, arena.point(from), arena.point(to), radius, mask, data.result)) return null;
+            if (!this.engine.finds("sinew_world_cast_ray", this.handle, arena.point(from), arena.point(to), radius, mask, data.result)) return null;
             const { share, point, normal, particle, collider } = data.read(rayHit, data.result);
             return { share, point: vector(point), normal: vector(normal),
                 particle: particle === noId ? null : particle, collider: collider === noId ? null : collider };
@@ -91,40 +91,40 @@ export class Simulation extends Readable {
         });
     }
 
-    particlesIn(region) { return this.overlapping("sinew_overlapping_particles", region); }
-    linksIn(region) { return this.overlapping("sinew_overlapping_links", region); }
+    particlesIn(region) { return this.overlapping("sinew_world_overlapping_particles", region); }
+    linksIn(region) { return this.overlapping("sinew_world_overlapping_links", region); }
 
     collider(which) {
         if (typeof which === "bigint") return which;
-        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_find_collider", arena.text(which))));
+        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_world_find_collider", arena.text(which))));
     }
 
     moveCollider(collider, position, turn = 0, axis = [0, 0, 0]) {
         const id = this.collider(collider);
         this.engine.data.within((arena) =>
-            this.call("sinew_move_collider", id, arena.point(position), turn, arena.point(axis)));
+            this.call("sinew_world_move_collider", id, arena.point(position), turn, arena.point(axis)));
     }
 
     addCollider(collider) {
-        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_add_collider", colliderSpec(arena, collider))));
+        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_world_add_collider", colliderSpec(arena, collider))));
     }
 
-    removeCollider(collider) { this.call("sinew_remove_collider", this.collider(collider)); }
+    removeCollider(collider) { this.call("sinew_world_remove_collider", this.collider(collider)); }
 
     // --- edits ----------------------------------------------------------------------------------------------------
 
     addFigure(prefab, figure = {}) {
-        return this.engine.data.within((arena) => this.engine.data.uint(this.ask("sinew_add_figure", figureSpec(arena, prefab, figure))));
+        return this.engine.data.within((arena) => this.engine.data.uint(this.ask("sinew_world_add_figure", figureSpec(arena, prefab, figure))));
     }
 
-    removeFigure(figure) { this.call("sinew_remove_figure", this.figure(figure)); }
+    removeFigure(figure) { this.call("sinew_world_remove_figure", this.figure(figure)); }
 
     addParticle({ position, velocity = [0, 0, 0], mass = 1, radius = 0 }) {
         return this.engine.data.within((arena) =>
-            this.engine.data.id(this.ask("sinew_add_particle", arena.struct(particleSpec, { position, velocity, mass, radius }))));
+            this.engine.data.id(this.ask("sinew_world_add_particle", arena.struct(particleSpec, { position, velocity, mass, radius }))));
     }
 
-    removeParticle(particle) { this.call("sinew_remove_particle", this.particle(particle)); }
+    removeParticle(particle) { this.call("sinew_world_remove_particle", this.particle(particle)); }
 
     addConstraint(kind, particles, spec = {}) {
         const { low, high, compliance = 0, maxForce = 0, breakingStrain = 0 } = spec;
@@ -132,79 +132,79 @@ export class Simulation extends Readable {
         const limits = isMeasured ? { low: 1, high: 0 } : { low: low ?? -Infinity, high: high ?? Infinity };
         const number = this.kind(kind);
         const members = particles.map((particle) => this.particle(particle));
-        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_add_constraint", number, arena.ids(members),
+        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_world_add_constraint", number, arena.ids(members),
             members.length, arena.struct(constraintSpec, { ...limits, compliance, maxForce, breakingStrain }))));
     }
 
-    removeConstraint(constraint) { this.call("sinew_remove_constraint", this.constraint(constraint)); }
+    removeConstraint(constraint) { this.call("sinew_world_remove_constraint", this.constraint(constraint)); }
 
     /** Calls a function with an id and a point. */
     at(name, id, point) {
         this.engine.data.within((arena) => this.call(name, id, arena.point(point)));
     }
 
-    setPosition(particle, position) { this.at("sinew_set_position", this.particle(particle), position); }
-    setVelocity(particle, velocity) { this.at("sinew_set_velocity", this.particle(particle), velocity); }
-    setMass(particle, mass) { this.call("sinew_set_mass", this.particle(particle), mass); }
-    applyForce(particle, force) { this.at("sinew_apply_force", this.particle(particle), force); }
-    applyImpulse(particle, impulse) { this.at("sinew_apply_impulse", this.particle(particle), impulse); }
-    pin(particle) { return this.engine.data.id(this.ask("sinew_pin_particle", this.particle(particle))); }
-    movePin(pin, target) { this.at("sinew_move_pin", pin, target); }
-    unpin(pin) { this.call("sinew_unpin", pin); }
+    setPosition(particle, position) { this.at("sinew_world_set_position", this.particle(particle), position); }
+    setVelocity(particle, velocity) { this.at("sinew_world_set_velocity", this.particle(particle), velocity); }
+    setMass(particle, mass) { this.call("sinew_world_set_mass", this.particle(particle), mass); }
+    applyForce(particle, force) { this.at("sinew_world_apply_force", this.particle(particle), force); }
+    applyImpulse(particle, impulse) { this.at("sinew_world_apply_impulse", this.particle(particle), impulse); }
+    pin(particle) { return this.engine.data.id(this.ask("sinew_world_pin_particle", this.particle(particle))); }
+    movePin(pin, target) { this.at("sinew_world_move_pin", pin, target); }
+    unpin(pin) { this.call("sinew_world_unpin", pin); }
 
     // --- characters and cars --------------------------------------------------------------------------------------
 
     steer(figure, controls = null) {
         const index = this.figure(figure);
-        this.engine.data.within((arena) => this.call("sinew_steer", index, controls ? arena.struct(controlsLayout, controls) : 0));
+        this.engine.data.within((arena) => this.call("sinew_world_steer", index, controls ? arena.struct(controlsLayout, controls) : 0));
     }
 
     footing(figure) {
-        const { onGround, isHolding, figure: on } = this.engine.data.read(footing, this.ask("sinew_get_footing", this.figure(figure)));
+        const { onGround, isHolding, figure: on } = this.engine.data.read(footing, this.ask("sinew_world_get_footing", this.figure(figure)));
         return { onGround: onGround !== 0, isHolding: isHolding !== 0, figure: on === noFigure ? null : on };
     }
 
     // --- pointer --------------------------------------------------------------------------------------------------
 
     grab(at, radius = 0) {
-        if (!Array.isArray(at)) return this.engine.finds("sinew_grab_particle", this.handle, this.particle(at));
-        return this.engine.data.within((arena) => this.engine.finds("sinew_grab", this.handle, arena.point(at), radius));
+        if (!Array.isArray(at)) return this.engine.finds("sinew_world_grab_particle", this.handle, this.particle(at));
+        return this.engine.data.within((arena) => this.engine.finds("sinew_world_grab", this.handle, arena.point(at), radius));
     }
 
-    drag(to) { this.engine.data.within((arena) => this.call("sinew_drag", arena.point(to))); }
-    letGo() { this.call("sinew_let_go"); }
-    pointAt(at) { this.engine.data.within((arena) => this.call("sinew_point_at", arena.point(at))); }
+    drag(to) { this.engine.data.within((arena) => this.call("sinew_world_drag", arena.point(to))); }
+    letGo() { this.call("sinew_world_let_go"); }
+    pointAt(at) { this.engine.data.within((arena) => this.call("sinew_world_point_at", arena.point(at))); }
 
     cut(from, to) {
         const { data } = this.engine;
-        return data.within((arena) => data.uint(this.ask("sinew_cut", arena.point(from), arena.point(to))));
+        return data.within((arena) => data.uint(this.ask("sinew_world_cut", arena.point(from), arena.point(to))));
     }
 
     // --- the scene ------------------------------------------------------------------------------------------------
 
-    sceneText() { return this.engine.data.textFrom(this.ask("sinew_scene_text")); }
-    parameters() { return JSON.parse(this.engine.data.textFrom(this.ask("sinew_parameters"))); }
+    sceneText() { return this.engine.data.textFrom(this.ask("sinew_world_scene_text")); }
+    parameters() { return JSON.parse(this.engine.data.textFrom(this.ask("sinew_world_parameters"))); }
 
     set(path, value) {
-        this.engine.data.within((arena) => this.call("sinew_set", arena.text(`${path}=${valueText(value)}`)));
+        this.engine.data.within((arena) => this.call("sinew_world_set", arena.text(`${path}=${valueText(value)}`)));
     }
 
     // --- picture --------------------------------------------------------------------------------------------------
 
     draw(width = this.size[0], height = this.size[1], overlays = 0) {
-        const at = this.ask("sinew_draw", width, height, this.engine.overlayBits(overlays));
-        return new Picture(this.engine, at, this.handle, "sinew_picture_text", "sinew_picture_image");
+        const at = this.ask("sinew_world_draw", width, height, this.engine.overlayBits(overlays));
+        return new Picture(this.engine, at, this.handle, "sinew_world_picture_text", "sinew_world_picture_image");
     }
 
     toScene([x, y], width = this.size[0], height = this.size[1]) {
-        const at = this.ask("sinew_unproject", width, height, x, y);
+        const at = this.ask("sinew_world_unproject", width, height, x, y);
         return this.engine.data.value(pointLayout, at).slice(0, this.dimension);
     }
 
     toPixel(position, width = this.size[0], height = this.size[1]) {
         const { data } = this.engine;
         return data.within((arena) => {
-            this.call("sinew_project", width, height, arena.point(position), data.result, data.result + 8);
+            this.call("sinew_world_project", width, height, arena.point(position), data.result, data.result + 8);
             return [data.double(data.result), data.double(data.result + 8)];
         });
     }

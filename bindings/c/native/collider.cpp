@@ -93,8 +93,8 @@ collide::Collider<D, Real> collider_of(const sinew_collider_spec& spec, collide:
 
 extern "C" {
 
-sinew_status sinew_add_collider(sinew_simulation simulation, const sinew_collider_spec* given,
-                                sinew_collider* collider) {
+sinew_status sinew_world_add_collider(sinew_world simulation, const sinew_collider_spec* given,
+                                      sinew_collider* collider) {
     sinew_collider_spec spec;
     if (const auto status = take(given, spec)) return status;
     if (!collider || (spec.point_count > 0 && !spec.points)) return null_argument();
@@ -112,7 +112,7 @@ sinew_status sinew_add_collider(sinew_simulation simulation, const sinew_collide
     });
 }
 
-sinew_status sinew_remove_collider(sinew_simulation simulation, sinew_collider collider) {
+sinew_status sinew_world_remove_collider(sinew_world simulation, sinew_collider collider) {
     return change(simulation, [&](Session& session) {
         const bool was = std::visit([&](auto& world) { return remove_collider(world, id_of<ColliderTag>(collider)); },
                                     session.world());

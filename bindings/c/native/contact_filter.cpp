@@ -49,7 +49,7 @@ bool ask(void* context, PendingContact& contact) {
 
 extern "C" {
 
-sinew_status sinew_set_contact_filter(sinew_simulation simulation, sinew_contact_filter filter, void* context) {
+sinew_status sinew_world_set_contact_filter(sinew_world simulation, sinew_contact_filter filter, void* context) {
     auto* known = simulations().find(simulation.id);
     return change(simulation, [&](Session& session) {
         known->filter = {filter, context};

@@ -125,13 +125,13 @@ template <int D, class Real> void draw_colliders(const World<D, Real>& world, co
         ColliderSketch<D, Real>{pen, origin}(collide::HalfSpace<D, Real>{plane.normal, plane.offset});
 }
 
-void draw_contacts(sinew_simulation simulation, const Pen& pen) {
+void draw_contacts(sinew_world simulation, const Pen& pen) {
     constexpr double share = 0.02; // of the extent: length of a normal
     std::uint32_t count = 0;
-    if (sinew_contact_count(simulation, &count) != SINEW_OK) return;
+    if (sinew_world_contact_count(simulation, &count) != SINEW_OK) return;
     for (std::uint32_t i = 0; i < count; ++i) {
         sinew_contact contact;
-        if (sinew_contact_at(simulation, i, &contact) != SINEW_OK || contact.phase == SINEW_END) continue;
+        if (sinew_world_contact_at(simulation, i, &contact) != SINEW_OK || contact.phase == SINEW_END) continue;
         const auto &from = contact.point, &n = contact.normal;
         const double length = share * pen.extent;
         pen.sphere(from, 0, red);
@@ -141,7 +141,7 @@ void draw_contacts(sinew_simulation simulation, const Pen& pen) {
 
 } // namespace
 
-sinew_status sinew_draw_debug(sinew_simulation simulation, const sinew_debug_draw* given, double extent) {
+sinew_status sinew_world_draw_debug(sinew_world simulation, const sinew_debug_draw* given, double extent) {
     sinew_debug_draw draw;
     if (const auto status = take(given, draw)) return status;
     if (!(extent > 0) || !std::isfinite(extent)) return fail(SINEW_BAD_ARGUMENT, "an extent is above 0");

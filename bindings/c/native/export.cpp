@@ -123,7 +123,7 @@ sinew_status sinew_export_begin(const char* name, const sinew_export_spec* given
     return SINEW_OK;
 }
 
-sinew_status sinew_export_frame(sinew_export handle, sinew_simulation simulation) {
+sinew_status sinew_export_frame(sinew_export handle, sinew_world simulation) {
     return with(handle, [&](Export& made) {
         return read(simulation, [&](const Simulation&, const Session& session) {
             if (made.is_finished) return fail_argument("the export is finished");

@@ -56,7 +56,7 @@ sinew_status sinew_set_task_system(sinew_enqueue enqueue, sinew_finish finish, v
     return SINEW_OK;
 }
 
-sinew_status sinew_set_simd(sinew_simulation simulation, const char* name) {
+sinew_status sinew_world_set_simd(sinew_world simulation, const char* name) {
     const auto simd = name ? simd_called(name) : best_simd();
     if (!simd)
         return fail(SINEW_NOT_FOUND, concat("this machine or this library has no instruction set ", in_quotes(name)));
@@ -68,7 +68,7 @@ sinew_status sinew_set_simd(sinew_simulation simulation, const char* name) {
     });
 }
 
-sinew_status sinew_set_threads(sinew_simulation simulation, uint32_t threads) {
+sinew_status sinew_world_set_threads(sinew_world simulation, uint32_t threads) {
     constexpr std::uint32_t most = 1024;
     return change_own(simulation, [&](Session& session) {
         auto options = session.options();

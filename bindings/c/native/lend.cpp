@@ -53,7 +53,7 @@ class SharedLevel final : public Level {
   private:
     sinew_level level_;
     std::string name_;
-    sinew_simulation handle_{};
+    sinew_world handle_{};
     bool is_stopped_ = false; ///< after a failure, until the world is built again
 
     /// While a step runs, too: it may ask the level about contacts.

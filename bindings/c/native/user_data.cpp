@@ -40,8 +40,7 @@ template <class WorldT> std::optional<Key> key_of(const WorldT& world, int objec
 }
 
 /// Calls work(simulation, key) for an object that exists.
-template <class Work>
-sinew_status of_object(sinew_simulation simulation, int object, std::uint64_t id, const Work& work) {
+template <class Work> sinew_status of_object(sinew_world simulation, int object, std::uint64_t id, const Work& work) {
     if (object < SINEW_OF_PARTICLE || object > SINEW_OF_FIGURE)
         return fail(SINEW_BAD_ARGUMENT, "no kind of object has this number");
     return read(simulation, [&](Simulation& known, const Session& session) {
@@ -54,7 +53,7 @@ sinew_status of_object(sinew_simulation simulation, int object, std::uint64_t id
 
 extern "C" {
 
-sinew_status sinew_set_user_data(sinew_simulation simulation, sinew_object object, uint64_t id, void* data) {
+sinew_status sinew_world_set_user_data(sinew_world simulation, sinew_object object, uint64_t id, void* data) {
     return of_object(simulation, object, id, [&](Simulation& known, const Key& key) {
         if (!known.user_data) known.user_data = std::make_shared<UserData>();
         if (data)
@@ -65,7 +64,7 @@ sinew_status sinew_set_user_data(sinew_simulation simulation, sinew_object objec
     });
 }
 
-sinew_status sinew_get_user_data(sinew_simulation simulation, sinew_object object, uint64_t id, void** data) {
+sinew_status sinew_world_get_user_data(sinew_world simulation, sinew_object object, uint64_t id, void** data) {
     if (!data) return null_argument();
     return of_object(simulation, object, id, [&](const Simulation& known, const Key& key) {
         *data = nullptr;

@@ -96,7 +96,7 @@ sinew_status add_figure(Session& session, const sinew_figure_spec& spec, std::ui
 
 extern "C" {
 
-sinew_status sinew_create(const sinew_world_spec* given, sinew_simulation* simulation) {
+sinew_status sinew_world_create(const sinew_world_spec* given, sinew_world* simulation) {
     sinew_world_spec spec;
     if (const auto status = take(given, spec)) return status;
     const auto dimension = spec.dimension == 0 ? 2 : spec.dimension;
@@ -104,10 +104,10 @@ sinew_status sinew_create(const sinew_world_spec* given, sinew_simulation* simul
     if (spec.real_bytes != 0 && spec.real_bytes != 4 && spec.real_bytes != 8)
         return fail(SINEW_BAD_ARGUMENT, "a number has 4 or 8 bytes");
     if (!is_finite(spec.gravity) || !std::isfinite(spec.damping) || !std::isfinite(spec.rate)) return infinite_number();
-    return sinew_open(scene_of(spec, int(dimension)).c_str(), nullptr, simulation);
+    return sinew_world_open(scene_of(spec, int(dimension)).c_str(), nullptr, simulation);
 }
 
-sinew_status sinew_set_gravity(sinew_simulation simulation, sinew_point gravity) {
+sinew_status sinew_world_set_gravity(sinew_world simulation, sinew_point gravity) {
     if (!is_finite(gravity)) return infinite_number();
     return change(simulation, [&](Session& session) {
         std::visit([&]<int D, class Real>(World<D, Real>& world) { set_gravity(world, vector_of<D, Real>(gravity)); },
@@ -116,7 +116,7 @@ sinew_status sinew_set_gravity(sinew_simulation simulation, sinew_point gravity)
     });
 }
 
-sinew_status sinew_add_figure(sinew_simulation simulation, const sinew_figure_spec* given, uint32_t* figure) {
+sinew_status sinew_world_add_figure(sinew_world simulation, const sinew_figure_spec* given, uint32_t* figure) {
     sinew_figure_spec spec;
     if (const auto status = take(given, spec)) return status;
     if (!spec.prefab || (spec.parameter_count > 0 && !spec.parameters)) return null_argument();
@@ -124,7 +124,7 @@ sinew_status sinew_add_figure(sinew_simulation simulation, const sinew_figure_sp
     return change(simulation, [&](Session& session) { return ::add_figure(session, spec, figure); });
 }
 
-sinew_status sinew_remove_figure(sinew_simulation simulation, uint32_t figure) {
+sinew_status sinew_world_remove_figure(sinew_world simulation, uint32_t figure) {
     return change(simulation, [&](Session& session) {
         const bool was =
             std::visit([&](auto& world) { return remove_figure(world, FigureIndex(figure)); }, session.world());
@@ -132,7 +132,7 @@ sinew_status sinew_remove_figure(sinew_simulation simulation, uint32_t figure) {
     });
 }
 
-sinew_status sinew_find_figure(sinew_simulation simulation, const char* name, uint32_t* figure) {
+sinew_status sinew_world_find_figure(sinew_world simulation, const char* name, uint32_t* figure) {
     if (!name || !figure) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         const auto found = std::visit([&](const auto& world) { return find_figure(world, name); }, session.world());

@@ -42,8 +42,9 @@ class Batch {
     /// Returns the worlds of `mask` to their start.
     void restart(const py::array_t<bool>& mask, int threads) {
         const auto* const is_on = mask.data();
-        each(threads,
-             [&](int world) { return is_on[world] ? sinew_restart(worlds_[std::size_t(world)]->handle()) : SINEW_OK; });
+        each(threads, [&](int world) {
+            return is_on[world] ? sinew_world_restart(worlds_[std::size_t(world)]->handle()) : SINEW_OK;
+        });
     }
 
     /// Calls function(handle, id, point) for each world, with an id and a point of its own; for none where a number is
@@ -69,7 +70,7 @@ class Batch {
             if (!is_on[world]) return SINEW_OK;
             const auto handle = worlds_[std::size_t(world)]->handle();
             if (count > 0)
-                if (const auto status = sinew_step(handle, count)) return status;
+                if (const auto status = sinew_world_step(handle, count)) return status;
             if (const auto status = gather(handle, SINEW_POSITION, places + bytes * std::size_t(world), bytes))
                 return status;
             return gather(handle, SINEW_VELOCITY, speeds + bytes * std::size_t(world), bytes);
@@ -80,9 +81,9 @@ class Batch {
     std::uint32_t particles_;
     std::vector<Shared> locked_; ///< each world once, in an order that any two batches share: no deadlock
 
-    sinew_status gather(sinew_simulation handle, sinew_column column, char* to, std::size_t bytes) const {
+    sinew_status gather(sinew_world handle, sinew_column column, char* to, std::size_t bytes) const {
         sinew_view view{};
-        if (const auto status = sinew_get_column(handle, column, &view)) return status;
+        if (const auto status = sinew_world_get_column(handle, column, &view)) return status;
         if (view.rows < particles_) return SINEW_NOT_FOUND;
         if (bytes != std::size_t(particles_) * view.components * view.number_bytes) return SINEW_FULL;
         std::memcpy(to, view.data, bytes);
@@ -130,8 +131,9 @@ void bind_batch(py::module_& module) {
         .def("step", &Batch::step)
         .def("restart", &Batch::restart)
         .def("apply_forces",
-             [](Batch& self, const Ids& ids, const Points& forces) { self.edit(sinew_apply_force, ids, forces); })
-        .def("move_pins", [](Batch& self, const Ids& pins, const Points& to) { self.edit(sinew_move_pin, pins, to); });
+             [](Batch& self, const Ids& ids, const Points& forces) { self.edit(sinew_world_apply_force, ids, forces); })
+        .def("move_pins",
+             [](Batch& self, const Ids& pins, const Points& to) { self.edit(sinew_world_move_pin, pins, to); });
     module.def("hardware_threads", &hardware_threads);
 }
 

@@ -8,8 +8,8 @@ namespace sinew::python {
 namespace {
 
 /// The column as computed now; false where the simulation is closed.
-bool computed(sinew_simulation handle, int column, sinew_view& view) {
-    return sinew_get_column(handle, sinew_column(column), &view) == SINEW_OK;
+bool computed(sinew_world handle, int column, sinew_view& view) {
+    return sinew_world_get_column(handle, sinew_column(column), &view) == SINEW_OK;
 }
 
 std::size_t bytes_of(const sinew_view& view, int column) {
@@ -36,9 +36,9 @@ bool ComputedColumns::has(int column) {
            column == SINEW_STRAIN;
 }
 
-py::array ComputedColumns::show(sinew_simulation handle, int column) {
+py::array ComputedColumns::show(sinew_world handle, int column) {
     sinew_view view{};
-    check(sinew_get_column(handle, sinew_column(column), &view));
+    check(sinew_world_get_column(handle, sinew_column(column), &view));
     const auto bytes = bytes_of(view, column);
     auto& memory = columns_[column];
     if (!memory || memory->size() != bytes) memory = std::make_shared<Memory>(bytes);
@@ -50,7 +50,7 @@ py::array ComputedColumns::show(sinew_simulation handle, int column) {
     return array;
 }
 
-void ComputedColumns::refresh(sinew_simulation handle) {
+void ComputedColumns::refresh(sinew_world handle) {
     for (auto& [column, memory] : columns_) {
         if (!memory || memory.use_count() == 1) continue;
         sinew_view view{};

@@ -18,9 +18,9 @@ class ComputedColumns {
   public:
     static bool has(int column);
     /// Computes a column and shows it; an array that cannot be written to.
-    py::array show(sinew_simulation handle, int column);
+    py::array show(sinew_world handle, int column);
     /// Computes again all that is shown. Arrays whose number of rows has changed keep their last values.
-    void refresh(sinew_simulation handle);
+    void refresh(sinew_world handle);
     /// Arrays shown keep their last values from now on.
     void forget() { columns_.clear(); }
 

@@ -15,17 +15,17 @@ namespace {
 
 struct View {
     std::uint32_t width = 0, height = 0; ///< pixels
-    std::uint32_t overlays = 0;          ///< bits as in sinew_draw()
+    std::uint32_t overlays = 0;          ///< bits as in sinew_world_draw()
 };
 
 /// Draws the simulation, whose lock the caller holds. The images have pixels, unlike those of the C face.
 Picture draw(Simulation& simulation, const View& view) {
     sinew_picture drawn{};
-    check(sinew_draw(simulation.handle(), view.width, view.height, view.overlays, &drawn));
+    check(sinew_world_draw(simulation.handle(), view.width, view.height, view.overlays, &drawn));
     Picture picture = c::simulations().find(simulation.handle().id)->drawn.picture;
     for (std::uint32_t i = 0; i < picture.images.size(); ++i) {
         const char* name = nullptr;
-        if (sinew_picture_image(simulation.handle(), i, &name) != SINEW_OK) continue;
+        if (sinew_world_picture_image(simulation.handle(), i, &name) != SINEW_OK) continue;
         const auto& known = simulation.images();
         const auto found =
             std::find_if(known.begin(), known.end(), [&](const auto& image) { return image.first == name; });

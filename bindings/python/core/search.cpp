@@ -17,11 +17,11 @@ py::tuple tuple_of(const sinew_point& point) {
 py::list contacts(Simulation& simulation) {
     const Hold hold(simulation.mutex());
     std::uint32_t count = 0;
-    check(sinew_contact_count(simulation.handle(), &count));
+    check(sinew_world_contact_count(simulation.handle(), &count));
     py::list all;
     for (std::uint32_t index = 0; index < count; ++index) {
         sinew_contact contact{};
-        check(sinew_contact_at(simulation.handle(), index, &contact));
+        check(sinew_world_contact_at(simulation.handle(), index, &contact));
         all.append(py::make_tuple(contact.phase, contact.impulse, contact.blow, contact.blow_before,
                                   id_or_none(contact.particle), id_or_none(contact.other), id_or_none(contact.collider),
                                   index_or_none(contact.figure), index_or_none(contact.other_figure),
@@ -33,20 +33,21 @@ py::list contacts(Simulation& simulation) {
 py::object nearest_particle(Simulation& simulation, const Points& at, double reach) {
     sinew_particle particle = 0;
     double distance = 0;
-    const bool found = simulation.finds(sinew_nearest_particle, point_of(at, "a point"), reach, &particle, &distance);
+    const bool found =
+        simulation.finds(sinew_world_nearest_particle, point_of(at, "a point"), reach, &particle, &distance);
     return found ? py::object(py::make_tuple(particle, distance)) : py::none();
 }
 
 py::object nearest_link(Simulation& simulation, const Points& at, double reach) {
     sinew_constraint link = 0;
     double t = 0, distance = 0;
-    const bool found = simulation.finds(sinew_nearest_link, point_of(at, "a point"), reach, &link, &t, &distance);
+    const bool found = simulation.finds(sinew_world_nearest_link, point_of(at, "a point"), reach, &link, &t, &distance);
     return found ? py::object(py::make_tuple(link, t, distance)) : py::none();
 }
 
 py::object cast_ray(Simulation& simulation, const Points& from, const Points& to, double radius, std::uint32_t mask) {
     sinew_ray_hit hit{};
-    if (!simulation.finds(sinew_cast_ray, point_of(from, "a point"), point_of(to, "a point"), radius, mask, &hit))
+    if (!simulation.finds(sinew_world_cast_ray, point_of(from, "a point"), point_of(to, "a point"), radius, mask, &hit))
         return py::none();
     return py::make_tuple(hit.share, tuple_of(hit.point), tuple_of(hit.normal), id_or_none(hit.particle),
                           id_or_none(hit.collider));
@@ -69,7 +70,8 @@ sinew_region region_of(const Points& center, const Points& half, double radius, 
 } // namespace
 
 void bind_search(py::class_<Simulation, std::shared_ptr<Simulation>>& type) {
-    type.def("list_contacts", [](Simulation& self, bool on) { self.call(sinew_list_contacts, std::uint32_t(on)); })
+    type.def("list_contacts",
+             [](Simulation& self, bool on) { self.call(sinew_world_list_contacts, std::uint32_t(on)); })
         .def("contacts", contacts)
         .def("nearest_particle", nearest_particle)
         .def("nearest_link", nearest_link)
@@ -77,11 +79,12 @@ void bind_search(py::class_<Simulation, std::shared_ptr<Simulation>>& type) {
         .def("particles_in",
              [](Simulation& self, const Points& center, const Points& half, double radius, double turn,
                 const Points& axis) {
-                 return overlapping(self, sinew_overlapping_particles, region_of(center, half, radius, turn, axis));
+                 return overlapping(self, sinew_world_overlapping_particles,
+                                    region_of(center, half, radius, turn, axis));
              })
         .def("links_in", [](Simulation& self, const Points& center, const Points& half, double radius, double turn,
                             const Points& axis) {
-            return overlapping(self, sinew_overlapping_links, region_of(center, half, radius, turn, axis));
+            return overlapping(self, sinew_world_overlapping_links, region_of(center, half, radius, turn, axis));
         });
 }
 

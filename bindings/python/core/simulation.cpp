@@ -40,26 +40,26 @@ template <class Open> sinew_status SceneSource::with_options(const Images& read,
 Simulation::Simulation(const SceneSource& source) : images_(read_images(source)) {
     const auto open = [&](const sinew_open_options& options) {
         const py::gil_scoped_release others;
-        return sinew_open(source.text.c_str(), &options, &handle_);
+        return sinew_world_open(source.text.c_str(), &options, &handle_);
     };
     check(source.with_options(images_, open));
 }
 
 std::unique_ptr<Simulation> Simulation::load(std::string_view bytes, const SceneSource& files) {
     auto images = read_images(files);
-    sinew_simulation handle{};
+    sinew_world handle{};
     const auto open = [&](const sinew_open_options& options) {
         const py::gil_scoped_release others;
-        return sinew_load(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), &options, &handle);
+        return sinew_world_load(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), &options, &handle);
     };
     check(files.with_options(images, open));
     return std::make_unique<Simulation>(handle, std::move(images));
 }
 
 void Simulation::restore(std::string_view bytes, const SceneSource& files) {
-    const auto now = ask<sinew_info>(sinew_get_info);
+    const auto now = ask<sinew_info>(sinew_world_get_info);
     const auto other = load(bytes, files);
-    const auto then = other->ask<sinew_info>(sinew_get_info);
+    const auto then = other->ask<sinew_info>(sinew_world_get_info);
     if (now.dimension != then.dimension || now.real_bytes != then.real_bytes)
         raise(SINEW_BAD_ARGUMENT, "the snapshot is of another dimension or precision; sinew.open opens it by itself");
     const Hold hold(mutex_);
@@ -69,7 +69,7 @@ void Simulation::restore(std::string_view bytes, const SceneSource& files) {
 }
 
 std::unique_ptr<Simulation> Simulation::copy() {
-    return std::make_unique<Simulation>(ask<sinew_simulation>(sinew_copy), images_);
+    return std::make_unique<Simulation>(ask<sinew_world>(sinew_world_copy), images_);
 }
 
 template <class Next> void Simulation::advance(const Next& next) {
@@ -88,33 +88,33 @@ template <class Next> void Simulation::advance(const Next& next) {
 }
 
 void Simulation::restart() {
-    call(sinew_restart);
+    call(sinew_world_restart);
     computed_.forget();
 }
 
 void Simulation::step(std::uint32_t count) {
     std::uint32_t taken = 0;
     advance([&](sinew_status& status) {
-        status = sinew_step(handle_, std::min(count, 1u));
+        status = sinew_world_step(handle_, std::min(count, 1u));
         return ++taken < count;
     });
 }
 
 void Simulation::run_until(double seconds) {
     if (!std::isfinite(seconds)) raise(SINEW_BAD_ARGUMENT, "the time is not finite");
-    const double start = ask<sinew_report>(sinew_get_report).seconds;
-    const double rate = ask<sinew_info>(sinew_get_info).rate;
+    const double start = ask<sinew_report>(sinew_world_get_report).seconds;
+    const double rate = ask<sinew_info>(sinew_world_get_info).rate;
     double steps = 0;
     advance([&](sinew_status& status) {
         const double next = start + ++steps / rate;
-        status = sinew_run_until(handle_, std::min(next, seconds));
+        status = sinew_world_run_until(handle_, std::min(next, seconds));
         return next < seconds;
     });
 }
 
-bool is_float(sinew_simulation handle) {
+bool is_float(sinew_world handle) {
     sinew_info info{};
-    check(sinew_get_info(handle, &info));
+    check(sinew_world_get_info(handle, &info));
     return info.real_bytes == sizeof(float);
 }
 

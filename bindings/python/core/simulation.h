@@ -49,12 +49,12 @@ struct SceneSource {
 class Simulation {
   public:
     explicit Simulation(const SceneSource& source);
-    Simulation(sinew_simulation handle, Images images) : handle_(handle), images_(std::move(images)) {}
+    Simulation(sinew_world handle, Images images) : handle_(handle), images_(std::move(images)) {}
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
-    ~Simulation() { sinew_close(handle_); }
+    ~Simulation() { sinew_world_close(handle_); }
 
-    sinew_simulation handle() const { return handle_; }
+    sinew_world handle() const { return handle_; }
     std::mutex& mutex() { return mutex_; }
     const Images& images() const { return images_; }
 
@@ -82,7 +82,7 @@ class Simulation {
     /// The same in place; raises if dimension or precision differ.
     void restore(std::string_view bytes, const SceneSource& files);
     std::unique_ptr<Simulation> copy();
-    void close() { call(sinew_close); }
+    void close() { call(sinew_world_close); }
     void restart();
     void step(std::uint32_t count);
     void run_until(double seconds);
@@ -95,7 +95,7 @@ class Simulation {
     /// Calls next() without the GIL until it is false. Python's signals (Ctrl-C) are handled between calls.
     template <class Next> void advance(const Next& next);
 
-    sinew_simulation handle_{};
+    sinew_world handle_{};
     Images images_; ///< with pixels, for painting
     ComputedColumns computed_;
     std::mutex mutex_;
@@ -104,7 +104,7 @@ class Simulation {
 /// A point of two or three finite numbers; raises otherwise. `what` names the argument.
 sinew_point point_of(const Points& numbers, const char* what);
 /// True for a world of floats, whose numbers end at 3.4e38.
-bool is_float(sinew_simulation handle);
+bool is_float(sinew_world handle);
 /// Raises for a number that is not finite in a world, with its row; `rows` is what a row is called.
 void check_points(const Points& points, bool is_float, const char* rows = "row");
 /// Row `row` of an array of points with 2 or 3 columns.

@@ -33,7 +33,7 @@ test("every way to name a module loads it", async () => {
 test("two engines share nothing", async () => {
     const other = await load(moduleBytes);
     const simulation = engine.open(pendulum);
-    assert.throws(() => other.call("sinew_step", simulation.handle, 1), SinewError);
+    assert.throws(() => other.call("sinew_world_step", simulation.handle, 1), SinewError);
     simulation.dispose();
 });
 

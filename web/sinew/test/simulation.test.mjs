@@ -69,7 +69,7 @@ test("closed and made-up handles and ids give errors", () => {
     simulation.dispose();
     simulation.dispose();
     assert.throws(() => simulation.step(), hasStatus(status.badHandle));
-    assert.throws(() => engine.call("sinew_step", 0xdeadbeef, 1), hasStatus(status.badHandle));
+    assert.throws(() => engine.call("sinew_world_step", 0xdeadbeef, 1), hasStatus(status.badHandle));
 });
 
 test("edits act", () => {
