@@ -320,9 +320,10 @@ constexpr std::array<Renamed, 9> renamed_words = {{{"angle", "turn"},
                                                    {"wheel_quickens", "wheel_time_scale"}}};
 
 /// Words of other engines and of everyday speech; a path leads on from a word that is allowed, and a value from a key.
-constexpr std::array<Renamed, 55> foreign_words = {{{"anchored", "pinned"},
+constexpr std::array<Renamed, 56> foreign_words = {{{"anchored", "pinned"},
                                                     {"ball", "sphere"},
                                                     {"bounce", "contact.bounce"},
+                                                    {"center", "at"},
                                                     {"center", "to"},
                                                     {"circle", "sphere"},
                                                     {"circle", "ball"},

@@ -170,6 +170,8 @@ TEST(Words, OfOtherEnginesLeadToOurs) {
     const auto in = [](const std::string& text) { return said_of(R"({"sinew": 1, )" + text + "}").errors; };
     EXPECT_TRUE(says(in(R"("colliders": [{"shape": "sphere", "restitution": 1}])"), "did you mean \"bounce\"?"));
     EXPECT_TRUE(says(in(R"("colliders": [{"shape": "circle"}])"), "did you mean \"sphere\"?"));
+    EXPECT_TRUE(says(in(R"("colliders": [{"shape": "sphere", "center": [0, 0]}])"), "did you mean \"at\"?"));
+    EXPECT_TRUE(says(in(R"("pins": [{"particle": "a", "center": [0, 0]}])"), "did you mean \"to\"?"));
     EXPECT_TRUE(says(in(R"("colliders": [{"circle": 1}])"), "did you mean \"shape: sphere\"?"));
     EXPECT_TRUE(says(in(R"("figures": [{"wheel": 1}])"), "did you mean \"prefab: wheel\"?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "position": [0, 1]}])"), "did you mean \"at\"?"));
