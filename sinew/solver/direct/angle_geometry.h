@@ -72,6 +72,38 @@ template <int D> class AngleGeometry {
         }
     }
 
+    /// Torque times the second derivative of an angle by its arms u and v: (u, u), (v, v) and (u, v). Within the plane
+    /// an angle is the difference of two directions; out of it, along the normal n,
+    ///
+    ///     cot(angle) n n^T / |u|^2,    - n n^T / (|u| |v| sin(angle))
+    ///
+    /// where torque / sin(angle) is kept within the spring's stiffness `k`, which it is near the straight angle.
+    std::array<Matrix<D, double>, 3> curvature(const AngleRow<D>& bend, double torque, double k) const {
+        const auto u = node(bend.nodes[1]).position - node(bend.nodes[0]).position;
+        const auto v = node(bend.nodes[2]).position - node(bend.nodes[1]).position;
+        const double per_u2 = inverse_or_zero(dot(u, u)), per_v2 = inverse_or_zero(dot(v, v));
+        const auto turn = [](const Vec<D, double>& arm, const Vec<D, double>& across, double by) {
+            auto both = outer(arm * by, across);
+            both += outer(across * by, arm);
+            return both;
+        };
+        if constexpr (D == 2) {
+            const auto across_u = perpendicular(u), across_v = perpendicular(v);
+            return {turn(u, across_u, torque * per_u2 * per_u2), turn(v, across_v, -torque * per_v2 * per_v2), {}};
+        } else {
+            const auto normal = cross(u, v);
+            const double sine2 = dot(normal, normal) * per_u2 * per_v2;
+            if (!(sine2 > 1e-24)) return {};
+            const double per_sine = 1 / square_root(sine2), cosine = dot(u, v) * square_root(per_u2 * per_v2);
+            const auto across_u = v - u * (dot(u, v) * per_u2), across_v = u - v * (dot(u, v) * per_v2);
+            const double out = clamp(torque * per_sine, -k, k), in = torque * per_sine * square_root(per_u2 * per_v2);
+            const auto n = normal * (per_sine * square_root(per_u2 * per_v2));
+            auto uu = turn(u, across_u, in * per_u2), vv = turn(v, across_v, in * per_v2);
+            uu += outer(n * (out * cosine * per_u2), n), vv += outer(n * (out * cosine * per_v2), n);
+            return {uu, vv, outer(n * (-out * square_root(per_u2 * per_v2)), n)};
+        }
+    }
+
     /// First-order change of the angle in the last move.
     double change(const AngleRow<D>& bend) const {
         double turn = 0;

@@ -170,6 +170,7 @@ template <int D> class AngleRows {
                                      bend.tension, false);
             bend.stiffness = bend.slips ? 0 : k * (1 + bend.damping_time / h_);
             add(bend, bend.tension);
+            if (!bend.slips && !bend.is_fold()) add_curvature(bend, bend.tension, k);
             return 0;
         }
         if (bend.side == 0 && !bounces(bend)) bend.activate(angle - bend.high, angle - bend.low, margin);
@@ -180,6 +181,27 @@ template <int D> class AngleRows {
         if (bend.slips) bend.stiffness = 0;
         add(bend, bend.pull);
         return bend.slips ? 0 : absolute(error);
+    }
+
+    /// Adds torque times the second derivative of a spring's angle, without which a stiff bend that is far from its
+    /// rest makes Newton's method turn about the solution; and a straight one in space knows no stiffness out of its
+    /// plane.
+    void add_curvature(const AngleRow<D>& bend, double torque, double k) {
+        const auto [uu, vv, uv] = geometry_.curvature(bend, torque, k);
+        Matrix<D, double> first{}, outermost{}, second{}, middle = uu;
+        first -= uu, first += uv;
+        outermost -= uv;
+        second -= vv, second += uv;
+        middle += vv, middle -= uv, middle -= uv;
+        const std::array own = {uu, middle, vv}, pairs = {first, outermost, second};
+        for (std::size_t i = 0, pair = 0; i < 3; ++i) {
+            node(bend.nodes[i]).diagonal += own[i];
+            for (std::size_t j = i + 1; j < 3; ++j, ++pair) {
+                if (bend.entries[pair] == Blocks<D>::none) continue;
+                auto& entry = blocks_.entries[bend.entries[pair]]; // symmetric
+                entry.lower += pairs[pair], entry.upper += pairs[pair];
+            }
+        }
     }
 
     void add(const AngleRow<D>& bend, double torque) {
