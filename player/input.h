@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/math/scalar.h"
 #include "sinew/math/vec.h"
 
 #include <string>
@@ -9,6 +10,15 @@
 namespace sinew::play {
 
 enum class Button { left, middle, right };
+
+/// Distance from the picture's corner up to which positions are told apart, pixels.
+constexpr double max_pixel = 1e6;
+
+/// The nearest position within that distance.
+inline Vec2<double> within_reach(Vec2<double> pixel) {
+    for (int i = 0; i < 2; ++i) pixel[i] = clamp(pixel[i], -max_pixel, max_pixel);
+    return pixel;
+}
 
 struct Moved {
     Vec2<double> to;

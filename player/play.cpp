@@ -209,7 +209,7 @@ void Play::zoom(double factor) {
 void Play::handle(const Input& input) {
     struct Handler {
         Play& play;
-        void operator()(const Moved& moved) const { play.moved(moved.to); }
+        void operator()(const Moved& moved) const { play.moved(within_reach(moved.to)); }
         void operator()(const Pressed& pressed) const { play.pressed(pressed.button); }
         void operator()(const Released& released) const { play.released(released.button); }
         void operator()(const Scrolled& scrolled) const {
@@ -220,7 +220,7 @@ void Play::handle(const Input& input) {
             play.zoom(exponential(log_of_a_notch * notches));
         }
         void operator()(const Pinched& pinched) const {
-            play.each_pane([&] { play.camera().pan(play.session(), pinched.by); });
+            play.each_pane([&] { play.camera().pan(play.session(), within_reach(pinched.by)); });
             play.zoom(pinched.factor);
         }
         void operator()(const Key& key) const { play.key(key.name); }

@@ -16,10 +16,13 @@
 namespace sinew::play {
 namespace {
 
+/// A number whose whole part is exact in a double and in an integer.
 std::optional<double> number_of(const std::string& text) {
+    constexpr double largest = 1e15;
     double number = 0;
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+    if (problem != std::errc() || end != text.data() + text.size() || !(std::fabs(number) <= largest))
+        return std::nullopt;
     return number;
 }
 

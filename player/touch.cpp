@@ -17,6 +17,7 @@ std::optional<Vec2<double>> Touch::position_of(std::int64_t finger) const {
 }
 
 void Touch::down(std::int64_t finger, Vec2<double> at) {
+    at = within_reach(at);
     if (position_of(finger)) return;
     fingers_.push_back({finger, at});
     if (fingers_.size() == 1) {
@@ -30,6 +31,7 @@ void Touch::down(std::int64_t finger, Vec2<double> at) {
 }
 
 void Touch::move(std::int64_t finger, Vec2<double> to) {
+    to = within_reach(to);
     const auto found = std::ranges::find(fingers_, finger, &Finger::id);
     if (found == fingers_.end()) return;
     if (points_) play_.handle(Moved{to});

@@ -314,7 +314,7 @@ sinew_status sinew_player_orbit(sinew_player player, double dx, double dy) {
     if (!std::isfinite(dx) || !std::isfinite(dy)) return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
     return with(player, [&](Player& known) {
         auto& play = *known.play;
-        play.each_pane([&] { play.camera().orbit(play.session(), {{dx, dy}}); });
+        play.each_pane([&] { play.camera().orbit(play.session(), play::within_reach({{dx, dy}})); });
     });
 }
 

@@ -120,7 +120,7 @@ template <class WorldT> class ClothPainter {
             const auto a = view_.see(patch.corner[i]), b = view_.see(patch.corner[(i + 1) % 4]);
             if (a && b) side = max(side, distance(a->pixel, b->pixel));
         }
-        return 1 + int(min(side / (finest * max(unit_, 1.0F)), float(max_tiles - 1)));
+        return 1 + int(clamp(side / (finest * max(unit_, 1.0F)), 0.0F, float(max_tiles - 1)));
     }
 
     /// Projects the corners of all tiles of a cell into corners_, row by row.

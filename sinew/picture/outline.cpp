@@ -41,7 +41,7 @@ void smooth(std::span<const Vec2<float>> points, Pixels& curve) {
         // n chords of a cubic have an error of at most 0.75 bent / n^2, where 6 `bent` bounds the second derivative
         const float bent = max(norm(bend.a - bend.b * 2 + bend.c), norm(bend.b - bend.c * 2 + bend.d));
         const float needed = min(square_root(0.75F * bent / off), distance(points[i], points[i + 1]) / piece);
-        const int parts = 1 + int(min(needed, float(max_parts - 1)));
+        const int parts = 1 + int(clamp(needed, 0.0F, float(max_parts - 1)));
         for (int part = 0; part < parts; ++part) curve.push_back(bend.at(float(part) / float(parts)));
     }
     curve.push_back(points[last]);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <limits>
 
 /// The game without its window: what a player does, said as a script or done by hand.
 namespace sinew::play::SINEW_TEST_FILE {
@@ -357,6 +358,36 @@ TEST(PlayScript, SaysWhatIsWrongAndWhere) {
     EXPECT_NE(read_script("size").problem, "");
     Play play(library, "ragdoll");
     EXPECT_NE(run_script(read_script("0 move bob/nose").script, play).find("bob/nose"), std::string::npos);
+}
+
+TEST(PlayScript, TakesNumbersThatALargeIntegerHolds) {
+    const std::string far = "1" + std::string(90, '4');
+    Play play(library, "ragdoll");
+    for (const std::string line : {"touch 1 " + far + " 3", "lift " + far, "go " + far, "move " + far + " 1"})
+        EXPECT_NE(run_script(read_script("0 " + line + "\n").script, play), "") << line;
+    for (const std::string line : {"touch 1 1e15 -1e15 over 1e15", "lift 1e15", "go 1e15", "move -1e15 1e15"})
+        EXPECT_EQ(run_script(read_script("0 " + line + "\n0.1 end").script, play), "") << line;
+}
+
+// The hand of a ragdoll led a long way off, over a frame, and back again.
+TEST(Play, APointerOutOfReachIsAsFarAsReachGoes) {
+    Play play(library, "ragdoll");
+    for (const double far : {1e90, -1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        Touch touch(play);
+        touch.down(1, {{400, 300}});
+        touch.move(1, {{far, far}});
+        touch.down(2, {{-far, far}});
+        touch.move(2, {{far, 10}});
+        for (int i = 0; i < 2; ++i) EXPECT_LE(std::fabs(play.pointer()[i]), max_pixel);
+        touch.up(1), touch.up(2);
+        play.handle(Pinched{{{far, far}}, 1.1});
+        std::vector<Picture> pictures;
+        play.draw_panes(pictures);
+        play.advance(1.0 / 60);
+    }
+    play.handle(Key{"home"});
+    const auto center = play.view().center();
+    for (int i = 0; i < 2; ++i) EXPECT_LT(std::fabs(double(center[i])), 1e3);
 }
 
 // Two fingers 200 pixels apart, one of which goes 200 further: twice as large, about the middle, which moves by 100.
