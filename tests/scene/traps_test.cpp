@@ -180,6 +180,9 @@ TEST(Words, OfOtherEnginesLeadToOurs) {
     EXPECT_TRUE(says(in(R"("figures": [{"constraints": [{"particles": []}]}])"), "did you mean \"between\"?"));
     EXPECT_TRUE(says(in(R"("pins": [{"driver": "orbit", "period": 2}])"), "did you mean \"rate\"?"));
     EXPECT_TRUE(says(in(R"("drivers": [])"), "did you mean \"pins\"?"));
+    EXPECT_TRUE(says(in(R"("pins": [{"particle": "a", "speed": 2}])"), "did you mean \"driver\"?"));
+    EXPECT_TRUE(says(in(R"("constraints": [{"between": [], "motor": 1}])"), "did you mean \"drive\"?"));
+    EXPECT_TRUE(says(in(R"("world": {"dimensions": 3})"), "did you mean \"dimension\" at the top of the file?"));
     EXPECT_TRUE(says(in(R"("colliders": [{"figures": []}])"), "did you mean \"figures\" at the top of the file?"));
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "color": "red"}])"), "did you mean \"looks\"?"));
 }
