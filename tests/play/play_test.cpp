@@ -363,7 +363,7 @@ TEST(PlayScript, SaysWhatIsWrongAndWhere) {
 TEST(PlayScript, TakesNumbersThatALargeIntegerHolds) {
     const std::string far = "1" + std::string(90, '4');
     Play play(library, "ragdoll");
-    for (const std::string line : {"touch 1 " + far + " 3", "lift " + far, "go " + far, "move " + far + " 1"})
+    for (const auto& line : {"touch 1 " + far + " 3", "lift " + far, "go " + far, "move " + far + " 1"})
         EXPECT_NE(run_script(read_script("0 " + line + "\n").script, play), "") << line;
     for (const std::string line : {"touch 1 1e15 -1e15 over 1e15", "lift 1e15", "go 1e15", "move -1e15 1e15"})
         EXPECT_EQ(run_script(read_script("0 " + line + "\n0.1 end").script, play), "") << line;
