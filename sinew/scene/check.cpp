@@ -8,6 +8,7 @@
 #include "sinew/scene/types.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <type_traits>
 
@@ -49,6 +50,7 @@ class ValueCheck {
             detail::visit_held(scene_.pins[i].driver,
                                [&](const auto& driver) { check_driver(driver, under("pins", i, "keys")); });
         for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
+        pairs();
         traces();
         return is_buildable;
     }
@@ -78,6 +80,26 @@ class ValueCheck {
             if (!seen.insert(name).second)
                 document_.error(place, format_text("there is already a figure called \"{}\"", name),
                                 "give each figure its own \"name\"");
+        }
+    }
+
+    void pairs() {
+        if (scene_.pairs.size() > max_pairs)
+            document_.error("/pairs",
+                            format_text("a scene can have {} pairs, found {}", max_pairs, scene_.pairs.size()));
+        std::map<std::array<std::string, 2>, std::size_t> seen;
+        for (std::size_t i = 0; i < scene_.pairs.size(); ++i) {
+            const auto& pair = scene_.pairs[i];
+            if (!pair.bounce && !pair.friction)
+                document_.error(under("pairs", i), "a pair without numbers", "give it bounce, friction or both");
+            auto sides = pair.between;
+            if (sides[1] < sides[0]) std::swap(sides[0], sides[1]);
+            const auto [first, fresh] = seen.try_emplace(sides, i);
+            if (!fresh)
+                document_.error(under("pairs", i, "between"),
+                                format_text("\"{}\" and \"{}\" are the pair {} already", sides[0], sides[1],
+                                            under("pairs", first->second)),
+                                "one pair has both bounce and friction");
         }
     }
 

@@ -25,6 +25,7 @@ template <int D, class Real> class ReferenceCheck {
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
             particle(scene_.pins[i].particle, under("pins", i, "particle"));
         pins();
+        for (std::size_t i = 0; i < scene_.pairs.size(); ++i) pair(scene_.pairs[i], i);
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) figure(scene_.figures[i], i);
         for (std::size_t i = 0; i < scene_.looks.size(); ++i) check_look(scene_.looks[i].first);
         for (std::size_t i = 0; i < scene_.events.size(); ++i) event(scene_.events[i], i);
@@ -52,6 +53,11 @@ template <int D, class Real> class ReferenceCheck {
         std::vector<std::string_view> names;
         for (const auto& figure : world_.figures) names.push_back(figure.name);
         return names;
+    }
+
+    void add_colliders(std::vector<std::string_view>& names) const {
+        for (const auto& collider : world_.colliders)
+            if (!collider.name.empty()) names.emplace_back(collider.name);
     }
 
     /// Reports an unknown name. `also` lists further valid names that cannot serve as candidates for a suggestion.
@@ -130,6 +136,26 @@ template <int D, class Real> class ReferenceCheck {
     /// Checks the figure of an attractor; empty stands for all figures.
     void pulled(std::string_view name, const std::string& place) {
         if (!name.empty() && !find_figure(world_, name)) unknown_figure(name, place);
+    }
+
+    /// Reports sides that are neither figures nor colliders, and pairs of two colliders.
+    void pair(const PairSection& section, std::size_t i) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto& name = section.between[k];
+            if (is_wall(name) || find_figure(world_, name)) continue;
+            const auto place = under("pairs", i) + format_text("/between/{}", k);
+            if (name.find('/') != std::string::npos)
+                document_.error(place, format_text("expected a figure or a collider, found \"{}\"", name));
+            else
+                side(name, place);
+        }
+        if (is_wall(section.between[0]) && is_wall(section.between[1]))
+            document_.error(under("pairs", i, "between"), "two colliders never touch each other",
+                            "a pair is of two figures, or of a figure and a collider");
+    }
+    bool is_wall(std::string_view name) const {
+        return !name.empty() && !find_figure(world_, name) &&
+               (collider_called(world_, name) || (name == bounds_name && !world_.bounds.empty()));
     }
 
     /// Reports particles that one pin of the scene holds rigidly and another pin holds too: the later one would take
@@ -222,7 +248,7 @@ template <int D, class Real> class ReferenceCheck {
         }
         if (find_figure(world_, key) || collider_called(world_, key) || !incomplete_.empty()) return;
         auto candidates = figure_names();
-        for (const auto& collider : world_.colliders) candidates.emplace_back(collider.name);
+        add_colliders(candidates);
         for (const auto& figure : world_.figures) {
             if (has_part(figure, key)) return;
             for (const auto part : parts_of(figure))
@@ -247,7 +273,7 @@ template <int D, class Real> class ReferenceCheck {
         if (name.find('/') != std::string::npos) return particle(name, place);
         if (is_incomplete("")) return;
         auto candidates = figure_names();
-        for (const auto& collider : world_.colliders) candidates.emplace_back(collider.name);
+        add_colliders(candidates);
         unknown("collider or figure", name, place, std::move(candidates));
     }
     void event(const GrabEvent& grab, std::size_t i) { particle(grab.particle, under("events", i, "grab")); }

@@ -6,6 +6,7 @@
 #include "sinew/scene/figure_section.h"
 #include "sinew/scene/image.h"
 #include "sinew/scene/model.h"
+#include "sinew/scene/pair_section.h"
 #include "sinew/scene/trace_section.h"
 #include "sinew/scene/units.h"
 #include "sinew/scene/world_section.h"
@@ -155,6 +156,7 @@ struct Scene {
     std::vector<FigureSection> figures;
     std::vector<ConstraintSection> constraints;
     std::vector<PinSection> pins;
+    std::vector<PairSection> pairs;
     std::vector<std::pair<std::string, Look>> looks;
     std::vector<EventSection> events;
     std::vector<TraceSection> traces;
@@ -177,6 +179,7 @@ struct Scene {
         visit(self.figures, Field{.name = "figures", .help = "Figures: prefabs, or particles by hand"});
         visit(self.constraints, Field{.name = "constraints", .help = "Constraints between figures"});
         visit(self.pins, Field{.name = "pins", .help = "Pins: particles that are held or driven"});
+        visit(self.pairs, Field{.name = "pairs", .help = "Bounce and friction of pairs that touch (physical mode)"});
         visit(self.looks, Field{.name = "looks", .help = "Looks by figure/part, by figure or by part"});
         visit(self.events, Field{.name = "events", .help = "Events at given times, or on contact"});
         visit(self.traces, Field{.name = "traces", .help = "Traces of the past: paths and curves"});

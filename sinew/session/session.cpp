@@ -8,6 +8,7 @@
 #include "sinew/session/collider_motion.h"
 #include "sinew/session/event_applier.h"
 #include "sinew/session/focus.h"
+#include "sinew/session/pair_contacts.h"
 #include "sinew/session/view.h"
 #include "sinew/solver/solver.h"
 #include "sinew/topology/cut.h"
@@ -142,7 +143,12 @@ void Session::step() {
     if (stroke_) stroke_->go(world_, stroke_to_);
     std::visit(
         [&]<class WorldT>(WorldT& world) {
-            solver_of<WorldT>(solver_).step(world, typename WorldT::Real(dt));
+            auto& solver = solver_of<WorldT>(solver_);
+            const auto program = solver.options.contact_filter;
+            PairContacts<WorldT> pairs(scene_, world, program);
+            solver.options.contact_filter = pairs.filter();
+            solver.step(world, typename WorldT::Real(dt));
+            solver.options.contact_filter = program;
             if (frozen) unpin(world, *frozen);
         },
         world_);
