@@ -69,6 +69,11 @@ template <int D> class BlockEnergy {
 
     /// Kinetic energy due at the end of the substep, and the deficit.
     double due() const { return due_; }
+    /// True if the velocities have more, by more than rounding.
+    bool exceeds_due() const {
+        constexpr double rounding = 1e-6;
+        return solve_.kinetic() - due_ > rounding * inner();
+    }
     double missing() const { return max(due_ - after_, 0.0); }
 
     /// Scales the motion relative to the rigid-body motion down until the kinetic energy is at most `max`.

@@ -5,6 +5,43 @@
 
 namespace sinew::detail {
 
+/// Inverse of a node's diagonal, or the zero matrix where it is singular. A light node on rigid links has a tiny
+/// inertia across them: the determinant of a 3 x 3 matrix would lose that to rounding twice over. The largest pivot is
+/// eliminated first, and the determinant is that of the 2 x 2 matrix left.
+inline Matrix<2, double> pivot_inverse(const Matrix<2, double>& m) {
+    return inverse(m);
+}
+inline Matrix<3, double> pivot_inverse(const Matrix<3, double>& m) {
+    const auto at = [&](std::size_t row, std::size_t column) { return m.column[column][int(row)]; };
+    std::size_t p = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+        if (absolute(at(i, i)) > absolute(at(p, p))) p = i;
+    if (at(p, p) == 0) return {};
+    const std::size_t rest[] = {(p + 1) % 3, (p + 2) % 3};
+    const double per = 1 / at(p, p);
+    Vec<2, double> down, right;
+    for (std::size_t i = 0; i < 2; ++i) down[int(i)] = at(rest[i], p) * per, right[int(i)] = at(p, rest[i]) * per;
+    Matrix<2, double> left;
+    for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t i = 0; i < 2; ++i)
+            left.column[k][int(i)] = at(rest[i], rest[k]) - down[int(i)] * at(p, rest[k]);
+    const auto inner = inverse(left);
+    Matrix<3, double> result;
+    const auto set = [&](std::size_t row, std::size_t column, double value) {
+        result.column[column][int(row)] = value;
+    };
+    const auto across = inner * down;
+    double corner = per;
+    for (std::size_t k = 0; k < 2; ++k) {
+        set(rest[k], p, -across[int(k)]);
+        set(p, rest[k], -dot(right, inner.column[k]));
+        corner += right[int(k)] * across[int(k)];
+        for (std::size_t i = 0; i < 2; ++i) set(rest[i], rest[k], inner.column[k][int(i)]);
+    }
+    set(p, p, corner);
+    return result;
+}
+
 template <int D> void substitute_back(Blocks<D>& blocks, const Block& block) {
     auto* const nodes = blocks.nodes.data();
     for (auto i = block.first_node + block.unknowns; i-- > block.first_node;) {
@@ -29,7 +66,7 @@ template <int D> void solve_block(Blocks<D>& blocks, const Block& block) {
     const auto begin = block.first_node, end = begin + block.unknowns;
     for (auto i = begin; i < end; ++i) {
         auto& node = nodes[i];
-        const auto per = node.diagonal = inverse(node.diagonal);
+        const auto per = node.diagonal = pivot_inverse(node.diagonal);
         const auto y = node.displacement = per * node.residual;
         auto pair = blocks.first_pair[i];
         for (auto e = first_entry[i]; e < first_entry[i + 1]; ++e) {

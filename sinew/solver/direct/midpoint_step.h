@@ -31,8 +31,9 @@ template <int D, class Real> class MidpointStep {
         if (!allow_velocities()) return Went::too_far;
         substep_.note_lost(energy_.missing());
         energy_.keep_momentum();
-        // the mean gradient of a fold adds a little rotation
-        if (lossless_ && substep_.is_free() && state_.block.ranges > 0) energy_.slow_down(energy_.due());
+        // The mean gradient of a fold adds a little rotation, and so does momentum that was lost to rounding.
+        if (lossless_ && substep_.is_free() && (state_.block.ranges > 0 || energy_.exceeds_due()))
+            energy_.slow_down(energy_.due());
         return Went::well;
     }
 
