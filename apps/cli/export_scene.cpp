@@ -179,6 +179,10 @@ class ExportCommand final : public Command {
         count = is_film ? std::size_t(std::fmax(std::round(length * rate), 1)) : 1;
         begin = first, end = is_film ? first + double(count) / rate : first;
         canvas::Progress progress(path, std::size_t(steps_before(scene, first + double(count - 1) / rate)));
+        if (!is_film && !until.empty()) {
+            begin = end = seconds_of_event(run, steps_before(scene, first), progress);
+            return settle(exporter.frame(run.session));
+        }
         for (std::size_t frame = 0; frame < count; ++frame) {
             run.advance(steps_before(scene, first + double(frame) / rate), progress);
             settle(exporter.frame(run.session));
@@ -187,7 +191,20 @@ class ExportCommand final : public Command {
                 return;
             }
         }
-        if (!until.empty()) refuse("sinew", fmt::format("no event {} happens until {:.4g} s", in_quotes(until), end));
+        if (!until.empty()) refuse_until();
+    }
+
+    /// Steps to the first event asked for; the moment of it.
+    double seconds_of_event(Run& run, std::uint64_t last, canvas::Progress& progress) {
+        for (std::uint64_t step = 0; step <= last; ++step) {
+            run.advance(step, progress);
+            if (has_happened(run.session)) return run.session.seconds();
+        }
+        refuse_until();
+    }
+
+    [[noreturn]] void refuse_until() const {
+        refuse("sinew", fmt::format("no event {} happens until {:.4g} s", in_quotes(until), end));
     }
 
     bool has_happened(const Session& session) const {

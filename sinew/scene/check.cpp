@@ -81,6 +81,14 @@ class ValueCheck {
                 document_.error(place, format_text("there is already a figure called \"{}\"", name),
                                 "give each figure its own \"name\"");
         }
+        seen.clear();
+        for (std::size_t i = 0; i < scene_.colliders.size(); ++i) {
+            const auto& name = scene_.colliders[i].name;
+            if (!name.empty() && !seen.insert(name).second)
+                document_.error(under("colliders", i, "name"),
+                                format_text("there is already a collider called \"{}\"", name),
+                                "give each collider its own \"name\", or none");
+        }
     }
 
     void pairs() {

@@ -21,7 +21,10 @@ class ConstraintCheck {
         const auto between = format_text("{}/{}", place, members);
         check_limits(section, place, document_);
         const auto kind = *kind_called(section.kind);
-        signs(section, kind, place);
+        check_signs(kind, scene_.dimension, section, place, document_);
+        for (std::size_t i = 0; section.drive && i < section.drive->keys.size(); ++i)
+            check_measure(kind, scene_.dimension, section.drive->keys[i].to,
+                          place + format_text("/drive/keys/{}/to", i), document_);
         const auto size = section.between.size(), wanted = std::size_t(kind.min_arity);
         if (kind.any_arity ? size < wanted : size != wanted)
             document_.error(between,
@@ -44,28 +47,6 @@ class ConstraintCheck {
   private:
     const Scene& scene_;
     Document& document_;
-
-    /// Checks that limits can be those of a kind: lengths are never negative, and angles in space have no sign.
-    void signs(const ConstraintSection& section, const KindInfo& kind, const std::string& place) {
-        const bool is_plane_angle = scene_.dimension == 3 && kind.name == Angle<3>::name;
-        const bool is_length = kind.name == Distance<2>::name || kind.name == Pulley<2>::name;
-        if (!is_plane_angle && !is_length) return;
-        const auto check = [&](const std::optional<double>& value, std::string_view key) {
-            if (!value || *value >= 0 || (is_length && key == "/low")) return;
-            document_.error(place + std::string(key),
-                            is_length ? format_text("a {} is never negative, found {}", kind.name, *value)
-                                      : format_text("an angle in 3 dimensions has no sign, found {}", *value),
-                            is_length
-                                ? ""
-                                : "from 0 (in line) to 180 (folded back); a joint that bends to one side only has a "
-                                  "volume of four particles beside it, as the elbows of a ragdoll");
-        };
-        check(section.rest, "/rest");
-        check(section.low, "/low");
-        check(section.high, "/high");
-        for (std::size_t i = 0; section.drive && i < section.drive->keys.size(); ++i)
-            check(section.drive->keys[i].to, format_text("/drive/keys/{}/to", i));
-    }
 
     /// Checks that a drive moves: by a speed, by keys, or by both.
     void drive(const DriveSection& drive, const ConstraintSection& section, const std::string& place) {
@@ -96,6 +77,23 @@ class ConstraintCheck {
 
 } // namespace
 
+void check_measure(const KindInfo& kind, int dimension, const std::optional<double>& value, const std::string& place,
+                   Document& document) {
+    constexpr double half_turn = 180;
+    const bool is_plane_angle = dimension == 3 && kind.name == Angle<3>::name;
+    const bool is_length = kind.name == Distance<2>::name || kind.name == Pulley<2>::name;
+    if (!value) return;
+    if (is_length && *value < 0)
+        document.error(place, format_text("a {} is never negative, found {}", kind.name, *value));
+    if (is_plane_angle && *value < 0)
+        document.error(place, format_text("an angle in 3 dimensions has no sign, found {}", *value),
+                       "from 0 (in line) to 180 (folded back); a joint that bends to one side only has a volume of "
+                       "four particles beside it, as the elbows of a ragdoll");
+    if (is_plane_angle && *value > half_turn)
+        document.error(place, format_text("an angle in 3 dimensions reaches 180, found {}", *value),
+                       "180 is folded back; a limit that nothing reaches can be left out");
+}
+
 void check_constraint(const Scene& scene, const ConstraintSection& section, const std::string& place,
                       Document& document, std::string_view members) {
     ConstraintCheck(scene, document).constraint(section, place, members);
@@ -115,15 +113,6 @@ bool is_absolute(const ConstraintSection& section) {
     return section.is_rigid() && section.max_force == 0;
 }
 
-/// True if a drive moves its limits out of the limits of another constraint.
-bool leaves(const DriveSection& drive, const ConstraintSection& other) {
-    if (!drive.has_targets()) return true;
-    const auto low = other.rest ? other.rest : other.low, high = other.rest ? other.rest : other.high;
-    return std::ranges::any_of(drive.keys, [&](const DriveKey& key) {
-        return key.to && ((low && *key.to < *low) || (high && *key.to > *high));
-    });
-}
-
 } // namespace
 
 void check_motors(const std::vector<ConstraintSection>& list, const std::string& place, Document& document) {
@@ -135,11 +124,11 @@ void check_motors(const std::vector<ConstraintSection>& list, const std::string&
         if (found == motors.end()) continue;
         for (const auto i : found->second) {
             if (document.diagnostics.full()) return document.diagnostics.count_one_more();
-            if (i != k && leaves(*list[i].drive, list[k]))
+            if (i != k)
                 document.error(place + under("constraints", i, "drive"),
                                format_text("a motor of unlimited force against the rigid limits of {}",
                                            place + under("constraints", k)),
-                               "give the motor a max_force");
+                               "give the motor a max_force: it then stops at the limits, and goes on between them");
         }
     }
 }

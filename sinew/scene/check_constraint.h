@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sinew/constraint/kind_table.h"
 #include "sinew/math/format.h"
 #include "sinew/scene/check.h"
 
@@ -23,6 +24,18 @@ template <class Section> void check_limits(const Section& section, const std::st
         document.error(place + "/rest", "a constraint has either a rest or limits low and high, not both");
     if (section.low && section.high && *section.low > *section.high)
         document.error(place + "/low", format_text("low ({}) is above high ({})", *section.low, *section.high));
+}
+
+/// Checks the rest and the limits of a constraint or of an event: lengths are never negative, and angles in space have
+/// no sign and reach 180 degrees.
+void check_measure(const KindInfo& kind, int dimension, const std::optional<double>& value, const std::string& place,
+                   Document& document);
+template <class Section>
+void check_signs(const KindInfo& kind, int dimension, const Section& section, const std::string& place,
+                 Document& document) {
+    check_measure(kind, dimension, section.rest, place + "/rest", document);
+    if (kind.angle) check_measure(kind, dimension, section.low, place + "/low", document);
+    check_measure(kind, dimension, section.high, place + "/high", document);
 }
 
 /// Checks that keys are in the order of time.

@@ -1,5 +1,6 @@
 #include "sinew/math/format.h"
 #include "sinew/scene/check.h"
+#include "sinew/scene/check_constraint.h"
 #include "sinew/scene/types.h"
 #include "sinew/world/colliders.h"
 #include "sinew/world/edit.h"
@@ -281,7 +282,10 @@ template <int D, class Real> class ReferenceCheck {
         particle(release.particle, under("events", i, "release"));
     }
     void event(const ImpulseEvent& impulse, std::size_t i) {
-        if (!find_figure(world_, impulse.target)) particle(impulse.target, under("events", i, "impulse"));
+        const auto place = under("events", i, "impulse");
+        if (find_figure(world_, impulse.target)) return;
+        if (impulse.target.find('/') == std::string::npos) return unknown_figure(impulse.target, place);
+        particle(impulse.target, place);
     }
     void event(const KickEvent& kick, std::size_t i) { particle(kick.target, under("events", i, "kick")); }
     void event(const JoinEvent& join, std::size_t i) {
@@ -292,13 +296,12 @@ template <int D, class Real> class ReferenceCheck {
         for (std::size_t k = 0; k < adjust.constraints.size(); ++k)
             if (!is_joined_later(adjust.constraints[k]))
                 constraint(adjust.constraints[k], under("events", i, "adjust") + format_text("/{}", k));
-        if (scene_.dimension == 3 && (adjust.rest.value_or(0) < 0 || adjust.high.value_or(0) < 0))
-            for (const auto& name : adjust.constraints)
-                for (const auto& id : find_constraints(world_, name))
-                    if (id.kind == kind_number<Angle, D>) return no_sign(i);
-    }
-    void no_sign(std::size_t i) {
-        document_.error(under("events", i), "an angle in 3 dimensions has no sign: 0 to 180");
+        if (!adjust.has_values())
+            document_.error(under("events", i, "adjust"), "an adjust without new values",
+                            "say rest, low, high, compliance, max_force, breaking_strain or break_force");
+        for (const auto& name : adjust.constraints)
+            for (const auto& id : find_constraints(world_, name))
+                return check_signs(kinds_in<D>[id.kind], D, adjust, under("events", i), document_);
     }
     void event(const ResizeEvent& resize, std::size_t i) { particle(resize.particles, under("events", i, "resize")); }
     void event(const RemoveEvent& removal, std::size_t i) {

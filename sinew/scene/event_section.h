@@ -227,6 +227,8 @@ struct AdjustEvent {
     std::vector<std::string> constraints;
     std::optional<double> rest, low, high, compliance, max_force, breaking_strain, break_force;
 
+    bool has_values() const { return rest || low || high || compliance || max_force || breaking_strain || break_force; }
+
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.constraints, Field{.name = "adjust",
                                       .help = "Constraints, as figure/name; figure/stem_* for all names with that stem",

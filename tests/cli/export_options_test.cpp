@@ -67,6 +67,17 @@ TEST_F(ExportOptions, UntilAnEventIsTheLastFrame) {
     EXPECT_EQ(std::count(trace.begin(), trace.end(), '\n'), 1 + 6) << trace; // a head, and 0 to 0.25 s
 }
 
+TEST_F(ExportOptions, UntilAnEventIsTheMomentOfAPicture) {
+    export_to("cut.png", {"--until", "cut"});
+    export_to("then.png", {"--at", "0.2166"}); // the step after 0.2 s, in which it is cut
+    EXPECT_EQ(text_of(folder / "cut.png"), text_of(folder / "then.png"));
+    const auto none = sinew({"export", "fall.json", "-o", "no.jpg", "--seconds", "1", "--until", "torn"},
+                            {.environment = {}, .folder = folder.path});
+    EXPECT_EQ(none.code, 1);
+    EXPECT_TRUE(has(none.err, "no event \"torn\" happens until 1 s")) << none.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "no.jpg"));
+}
+
 TEST_F(ExportOptions, AFollowedFigureStaysInTheMiddle) {
     export_to("f-%d.png",
               {"--seconds", "0.75", "--fps", "4", "--follow", "ball", "--background", "none", "view.plain=true"});

@@ -94,7 +94,7 @@ TEST(Motor, OfUnlimitedForceAgainstARigidLimitIsRefused) {
         says(motor(R"("drive": {"speed": 90})").errors, "against the rigid limits of /figures/0/constraints/1"));
     EXPECT_FALSE(motor(R"("drive": {"speed": 90})", R"(["c", "b", "a"])").opened);
     EXPECT_FALSE(motor(R"("drive": {"keys": [{"at": 1, "to": 50}]})").opened);
-    EXPECT_TRUE(motor(R"("drive": {"keys": [{"at": 1, "to": 40}]})").opened) << "it stays within";
+    EXPECT_FALSE(motor(R"("drive": {"keys": [{"at": 1, "to": 40}]})").opened) << "one of two rigid rows would win";
     EXPECT_TRUE(motor(R"("max_force": 5, "drive": {"speed": 90})").opened);
     EXPECT_TRUE(motor(R"("compliance": 0.1, "drive": {"speed": 90})").opened);
 }
@@ -111,7 +111,42 @@ TEST(Angle, InSpaceHasNoSign) {
     EXPECT_FALSE(angle(R"("rest": -1)").opened);
     EXPECT_FALSE(angle(R"("rest": 0, "max_force": 1, "drive": {"keys": [{"at": 1, "to": -5}]})").opened);
     EXPECT_TRUE(angle(R"("low": 0, "high": 90)").opened);
+    EXPECT_TRUE(says(angle(R"("high": 200)").errors, "reaches 180, found 200"));
     EXPECT_TRUE(says(said_of(three(R"({"between": ["a", "b"], "rest": -1})")).errors, "a distance is never negative"));
+}
+
+TEST(Adjust, IsCheckedLikeTheConstraintThatItChanges) {
+    const auto adjust = [](const std::string& values) {
+        return said_of(three(R"({"name": "k", "between": ["a", "b"]})",
+                             R"(, "events": [{"at": 1, "adjust": ["f/k"])" + values + "}]"))
+            .errors;
+    };
+    EXPECT_TRUE(says(adjust(R"(, "rest": -1)"), "a distance is never negative, found -1 at /events/0/rest"));
+    EXPECT_TRUE(says(adjust(R"(, "high": -1)"), "at /events/0/high"));
+    EXPECT_TRUE(says(adjust(""), "an adjust without new values"));
+    EXPECT_EQ(adjust(R"(, "rest": 2)"), "");
+    EXPECT_EQ(adjust(R"(, "low": -1, "high": 2)"), "") << "no lower limit";
+    const auto angle = [](const std::string& values) {
+        return said_of(R"({"sinew": 1, "dimension": 3, "figures": [{"name": "f", "particles": {"a": {"at": [0, 0, 0]},
+            "b": {"at": [1, 0, 0]}, "c": {"at": [2, 0, 0]}}, "constraints": [{"kind": "angle", "name": "k",
+            "between": ["a", "b", "c"]}]}], "events": [{"at": 1, "adjust": ["f/k"], )" +
+                       values + "}]}")
+            .errors;
+    };
+    EXPECT_TRUE(says(angle(R"("low": -30)"), "has no sign, found -30 at /events/0/low"));
+    EXPECT_TRUE(says(angle(R"("rest": 200)"), "reaches 180, found 200"));
+    EXPECT_EQ(angle(R"("low": 0, "high": 180)"), "");
+}
+
+TEST(Names, OfCollidersAndOfWhatIsStruckAreTold) {
+    EXPECT_TRUE(says(said_of(R"({"sinew": 1, "colliders": [{"name": "wall", "shape": "sphere"},
+        {"name": "wall", "shape": "sphere"}]})")
+                         .errors,
+                     "there is already a collider called \"wall\" at /colliders/1/name"));
+    EXPECT_TRUE(says(said_of(R"({"sinew": 1, "figures": [{"prefab": "rope", "name": "line"}],
+        "events": [{"at": 1, "impulse": "lien", "by": [1, 0]}]})")
+                         .errors,
+                     "did you mean \"line\"?"));
 }
 
 TEST(BreakingStrain, OfARigidLinkIsWarnedOf) {
