@@ -69,7 +69,7 @@ TEST_F(ExportOptions, UntilAnEventIsTheLastFrame) {
 
 TEST_F(ExportOptions, UntilAnEventIsTheMomentOfAPicture) {
     export_to("cut.png", {"--until", "cut"});
-    export_to("then.png", {"--at", "0.2166"}); // the step after 0.2 s, in which it is cut
+    export_to("then.png", {"--at", "0.2167"}); // the step after 0.2 s, in which it is cut
     EXPECT_EQ(text_of(folder / "cut.png"), text_of(folder / "then.png"));
     const auto none = sinew({"export", "fall.json", "-o", "no.jpg", "--seconds", "1", "--until", "torn"},
                             {.environment = {}, .folder = folder.path});
