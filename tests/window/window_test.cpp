@@ -11,6 +11,7 @@
 
 #include <SDL.h>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <epoxy/gl.h>
@@ -117,10 +118,17 @@ class WindowTest : public testing::Test {
         constexpr int enough = 6;
         if (restarts == 0) resize_window();
         if (!looking) return;
-        const bool done = ++restarts == enough;
-        const auto restart = [](Uint32, void*) -> Uint32 { return key(SDLK_r), 0; };
-        const auto quit = [](Uint32, void*) -> Uint32 { return key(SDLK_ESCAPE), 0; };
-        SDL_AddTimer(40, done ? +quit : +restart, nullptr);
+        press_soon(++restarts >= enough ? SDLK_ESCAPE : SDLK_r);
+    }
+    /// Presses a key soon, and again each second until the next one: a busy machine may lose the first.
+    void press_soon(SDL_Keycode code) {
+        constexpr Uint32 soon = 40;
+        const auto press = [](Uint32, void* which) -> Uint32 {
+            constexpr Uint32 again = 1000;
+            return key(SDL_Keycode(std::intptr_t(which))), again;
+        };
+        SDL_RemoveTimer(timer);
+        timer = SDL_AddTimer(soon, press, reinterpret_cast<void*>(std::intptr_t(code)));
     }
 
     /// Shows it for a few frames, paused at the start.
@@ -132,11 +140,11 @@ class WindowTest : public testing::Test {
             << "{\"width\": " << width << ", \"height\": " << height << R"(, "hint": false, "theme": ")" << theme
             << "\", \"panel\": " << (panel ? "true}" : "false}");
         game.pause(true);
-        const auto restart = [](Uint32, void*) -> Uint32 { return key(SDLK_r), 0; };
-        SDL_AddTimer(40, restart, nullptr);
         looking = true, restarts = 0;
+        press_soon(SDLK_r);
         const auto problem = show(game);
         looking = false;
+        SDL_RemoveTimer(timer);
         if (problem) GTEST_SKIP() << *problem;
     }
 
@@ -145,6 +153,7 @@ class WindowTest : public testing::Test {
     Image shot;
     bool panel = true, looking = false;
     int restarts = 0;
+    SDL_TimerID timer = 0;
     play::SceneLibrary library{{}, {}, fetch, play::games::read}; // no scenes, no thumbnails, which come when they come
     play::Play game{library, "ragdoll"};
     std::string told;
