@@ -5,7 +5,6 @@
 #include "sinew/world/colliders.h"
 #include "sinew/world/edit.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -17,16 +16,18 @@ namespace sinew {
 /// filter is asked. Pairs of figures and colliders that are gone do not count.
 template <class WorldT> class PairContacts {
   public:
-    PairContacts(const Scene& scene, const WorldT& world, const ContactFilter& program)
-        : world_(world), program_(program) {
+    /// Stands in the filter's place until its own end.
+    PairContacts(const Scene& scene, const WorldT& world, ContactFilter& place)
+        : world_(world), place_(place), program_(place) {
         for (const auto& pair : scene.pairs) {
             const auto first = side_called(pair.between[0]), second = side_called(pair.between[1]);
             if (first && second && count_ < pairs_.size()) pairs_[count_++] = {ordered(*first, *second), &pair};
         }
+        if (count_ > 0) place_ = ContactFilter::of(*this);
     }
-
-    /// Valid as long as this object; the program's own filter where no pair counts.
-    ContactFilter filter() { return count_ == 0 ? program_ : ContactFilter::of(*this); }
+    ~PairContacts() { place_ = program_; }
+    PairContacts(const PairContacts&) = delete;
+    PairContacts& operator=(const PairContacts&) = delete;
 
     bool operator()(PendingContact& contact) const {
         const auto sides = ordered(figure_of(contact.particle), other_side_of(contact));
@@ -55,6 +56,7 @@ template <class WorldT> class PairContacts {
     };
 
     const WorldT& world_;
+    ContactFilter& place_;
     ContactFilter program_;
     std::array<Pair, max_pairs> pairs_;
     std::size_t count_ = 0;

@@ -144,11 +144,8 @@ void Session::step() {
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             auto& solver = solver_of<WorldT>(solver_);
-            const auto program = solver.options.contact_filter;
-            PairContacts<WorldT> pairs(scene_, world, program);
-            solver.options.contact_filter = pairs.filter();
+            const PairContacts<WorldT> pairs(scene_, world, solver.options.contact_filter);
             solver.step(world, typename WorldT::Real(dt));
-            solver.options.contact_filter = program;
             if (frozen) unpin(world, *frozen);
         },
         world_);
