@@ -3,7 +3,7 @@ import { el, number } from "../common/dom.js";
 import type { Loaded } from "../common/engine.js";
 import { icon } from "../common/icons.js";
 import { CodeBox } from "./code_box.js";
-import { filled, isProgram, states, textOf, withValue, type Figure, type Live, type Slider, type Ui } from "./lesson.js";
+import { filled, inLanguage, isProgram, states, textOf, withValue, type Figure, type Live, type Slider, type Ui } from "./lesson.js";
 import { bestOf, isSolved, markSolved } from "./progress.js";
 import { ProgramRun, SceneRun, type Run } from "./runs.js";
 import { sceneText } from "./scene_text.js";
@@ -33,7 +33,7 @@ export class FigureView {
     private isAwaited = false;
     private columns = 84;
 
-    constructor(private readonly id: string, private readonly figure: Figure, private readonly text: FigureText, private readonly ui: Ui, terms: Record<string, string>, title: string, private readonly loaded: Loaded | null) {
+    constructor(private readonly id: string, private readonly figure: Figure, private readonly text: FigureText, private readonly ui: Ui, private readonly terms: Record<string, string>, title: string, private readonly loaded: Loaded | null) {
         const { slider } = figure, isScene = !isProgram(figure);
         this.canvas = el("canvas", { tabindex: 0, role: "application", "aria-label": filled(ui.figure, { title }) });
         this.range = el("input", { type: "range", id: `slider-${id}`, class: "slider", ...ends(slider), value: shown(slider, slider.value), oninput: () => this.changed() });
@@ -50,7 +50,7 @@ export class FigureView {
                 this.pause),
             this.bars.length > 0 && el("div", { class: "bars" }, ...this.bars.map((bar, i) => el("div", {}, el("span", {}, text.bars![i]!), el("div", { class: "bar" }, bar)))),
             text.reading !== undefined && this.reading,
-            caption(ui.try, html(text.task, terms)),
+            el("figcaption", {}, el("b", {}, `${ui.try} `), spoken(text.task, terms)),
             this.challenge, this.box.root);
         this.showPause(false);
         this.showChallenge();
@@ -105,6 +105,7 @@ export class FigureView {
     /** Starts a text that the reader wants to see running: the figure comes into sight once it does. */
     private begun(text: string): void {
         this.isAwaited = true;
+        this.readAt = 0;
         this.start(text);
     }
 
@@ -137,7 +138,7 @@ export class FigureView {
 
     private showValue(): void {
         const { slider } = this.figure, { current } = this;
-        this.value.textContent = slider.words ? slider.words(current, this.text.choices ?? []) : `${number(current)}${slider.unit === "°" ? "°" : slider.unit ? ` ${slider.unit}` : ""}`;
+        this.value.textContent = inLanguage(slider.words ? slider.words(current, this.text.choices ?? []) : `${number(current)}${slider.unit === "°" ? "°" : slider.unit ? ` ${slider.unit}` : ""}`, this.ui);
         this.range.setAttribute("aria-valuetext", this.value.textContent);
         const { min, max, value } = this.range;
         this.range.style.setProperty("--share", `${(100 * (Number(value) - Number(min))) / (Number(max) - Number(min))}%`);
@@ -154,9 +155,9 @@ export class FigureView {
         if (this.isAwaited) this.canvas.scrollIntoView({ block: "nearest", behavior: "smooth" });
         this.isAwaited = false;
         const { live } = run;
-        if (text.reading !== undefined) this.reading.textContent = filled(figure.reading?.(live, text) ?? "", { hash: run.hash });
+        if (text.reading !== undefined) this.reading.textContent = inLanguage(filled(figure.reading?.(live, text) ?? "", { hash: run.hash }), this.ui);
         figure.bars?.(live).forEach((share, i) => this.bars[i]?.style.setProperty("width", `${100 * Math.min(Math.max(share, 0), 1)}%`));
-        react(document, live);
+        react(document, live, this.ui);
         this.judge(live, now);
         if (figure.repeats && run.seconds > figure.repeats && !run.isHolding && !run.isPaused) run.restart();
     }
@@ -176,7 +177,7 @@ export class FigureView {
         if (!this.challenge) return;
         const { ui, id } = this, best = bestOf(id), solved = isSolved(id);
         this.challenge.classList.toggle("solved", solved);
-        this.challenge.replaceChildren(el("b", {}, `${solved ? "✓" : "☐"} ${ui.challenge}`), ` ${this.text.challenge} `,
+        this.challenge.replaceChildren(el("b", {}, `${solved ? "✓" : "☐"} ${ui.challenge}`), " ", spoken(this.text.challenge!, this.terms), " ",
             solved ? el("em", {}, best === undefined ? ui.solved : `${ui.solved}, ${filled(ui.best, { value: number(best) })}`) : "");
     }
 
@@ -203,10 +204,11 @@ export class FigureView {
     }
 }
 
-function caption(word: string, html: string): HTMLElement {
+/** A text of a lesson's own HTML. */
+function spoken(words: string, terms: Record<string, string>): HTMLElement {
     const text = el("span");
-    text.innerHTML = html;
-    return el("figcaption", {}, el("b", {}, `${word} `), text);
+    text.innerHTML = html(words, terms);
+    return text;
 }
 
 /** A logarithmic slider moves through exponents. */

@@ -90,7 +90,11 @@ export const pixels = { sinew: 1, units: { length: "px", time: "s", up: "-y" }, 
 /** Walls around the picture. */
 export const room = { box: [[14, 14], [626, 386]], bounce: 0.5, friction: 0.4 };
 
-export const percent = (share: number): string => `${(share * 100).toPrecision(share >= 0.1 ? 3 : 2)} %`;
+/** Less than a millionth of a hundredth is nothing. */
+export const percent = (share: number): string => (Math.abs(share) < 1e-8 ? "0 %" : `${(share * 100).toPrecision(Math.abs(share) >= 0.1 ? 3 : 2)} %`);
+
+/** A text with the decimal signs of a language. */
+export const inLanguage = (text: string, { decimal }: Ui): string => text.replace(/(\d)\.(?=\d)/g, `$1${decimal}`);
 
 /** The stretch of the worst distance. */
 export const stretchOf = (simulation: Simulation): Live => ({ stretch: simulation.report().stretchMax });

@@ -1,3 +1,5 @@
+import { inLanguage, percent, type Ui } from "./lesson.js";
+
 /** A text of the lessons as HTML: [[term]] and [[shown|term]] explain a word, «mouse|touch» is said for the one or the other. */
 export function html(text: string, terms: Record<string, string>): string {
     return text
@@ -17,16 +19,32 @@ export const unexplained = (text: string, terms: Record<string, string>): string
     [...text.matchAll(/\[\[([^\]|]+)(?:\|([^\]]+))?\]\]/g)].map(([, shown, name]) => name ?? shown!).filter((name) => !(name in terms));
 
 const formats: Record<string, (value: number) => string> = {
-    percent: (value) => `${(100 * value).toPrecision(Math.abs(value) >= 0.1 ? 3 : 2)} %`,
+    percent,
+    tenth: (value) => value.toFixed(1),
     one: (value) => value.toFixed(0),
 };
 
 /** Writes the numbers of a running figure into the text: <output name="stretch" data-as="percent">. */
-export function react(page: ParentNode, live: Record<string, number>): void {
+export function react(page: ParentNode, live: Record<string, number>, ui: Ui): void {
     for (const output of page.querySelectorAll<HTMLOutputElement>("p output[name]")) {
         const value = live[output.name];
         if (value === undefined) continue;
-        const shown = (formats[output.dataset.as ?? ""] ?? String)(value);
+        const shown = inLanguage((formats[output.dataset.as ?? ""] ?? String)(value), ui);
         if (output.textContent !== shown) output.textContent = shown;
     }
+}
+
+const margin = 12; // pixels between an explanation and the edge of the page
+
+/** Explanations stay on the page: one that would reach over its right edge is moved to the left. */
+export function keepTipsOnPage(page: HTMLElement): void {
+    const place = ({ target }: Event): void => {
+        const term = target instanceof Element ? target.closest<HTMLElement>(".term") : null, tip = term?.querySelector<HTMLElement>(".tip");
+        if (!term || !tip) return;
+        term.style.setProperty("--shift", "0px");
+        const over = tip.getBoundingClientRect().right + margin - document.documentElement.clientWidth;
+        if (over > 0) term.style.setProperty("--shift", `${-over}px`);
+    };
+    page.addEventListener("pointerover", place);
+    page.addEventListener("focusin", place);
 }

@@ -173,6 +173,43 @@ test("words are explained on hover and by the keyboard", { timeout: 60_000 }, ()
         assert.ok(await term.locator(".tip").isVisible());
     }));
 
+test("explanations stay on the page", { timeout: 60_000 }, async () => {
+    for (const options of [desktop, phone])
+        await site.on(options, "learn/#ragdoll", async (page) => {
+            await moving(page);
+            assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "before");
+            const term = page.locator(".term", { hasText: "torque" });
+            await term.focus();
+            const { x, width } = await term.locator(".tip").boundingBox();
+            assert.ok(x >= 0 && x + width <= options.viewport.width, `${x} ${width}`);
+            assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+        });
+});
+
+test("a challenge of a scene counts what the reader's own text has", { timeout: 60_000 }, () =>
+    site.on(desktop, "learn/#triangle", async (page) => {
+        await moving(page);
+        await page.locator("input.slider").press("ArrowRight");
+        await page.locator("input.slider").press("ArrowRight");
+        await page.locator("input.slider").press("ArrowRight");
+        await page.waitForFunction(() => document.querySelector("p output[name=needed]").textContent === "9");
+        const code = await page.locator(".challenge code").textContent();
+        assert.match(code, /constraints/);
+        const more = code.replace("}]", '}, {"between": ["form/corner_0", "form/corner_3"]}, {"between": ["form/corner_0", "form/corner_4"]}]');
+        await rewrite(page, "}]\n}", `}], ${more}\n}`);
+        await run(page);
+        await page.locator(".challenge.solved").waitFor({ timeout: 20_000 });
+        assert.equal(await page.locator("p output[name=sticks]").textContent(), "9");
+    }));
+
+test("printed, a lesson has its text, its figure and its program, and nothing to press", { timeout: 60_000 }, () =>
+    site.on(desktop, "learn/#stick", async (page) => {
+        await moving(page);
+        await page.emulateMedia({ media: "print" });
+        for (const shown of ["h1", ".live canvas", ".lines"]) assert.ok(await page.locator(shown).first().isVisible(), shown);
+        for (const hidden of [".menu", "#contents", ".controls button", ".controls input", ".acts", ".turn"]) assert.ok(!(await page.locator(hidden).first().isVisible()), hidden);
+    }));
+
 test("words for fingers where there are fingers, and a knife for them", { timeout: 60_000 }, async () => {
     for (const [options, shown] of [[desktop, "mouse"], [phone, "touch"]])
         await site.on(options, "learn/#cloth", async (page) => {
@@ -189,6 +226,7 @@ test("in German, by the address, by the browser, and by a button", { timeout: 60
         assert.equal(await page.locator("h1").textContent(), "Zwei Punkte und ein Stab");
         assert.equal(await page.evaluate(() => document.documentElement.lang), "de");
         assert.match((await state(page)).text, /die Hälfte des Fehlers/);
+        await page.waitForFunction(() => /\d,\d/.test(document.querySelector(".reading").textContent)); // a German number
         await page.getByRole("button", { name: "English" }).click();
         await page.waitForFunction(() => document.querySelector("h1").textContent === "Two points and a stick");
         await page.reload();

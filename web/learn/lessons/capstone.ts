@@ -34,8 +34,9 @@ export const capstone: Lesson = {
         program, sets: "stiffness",
         slider: { low: 1, high: 60, step: 1, value: 12, logarithmic: true },
         reading: ({ stretch = 0 }, { reading = "" }) => reading.replace("{stretch}", percent(Math.max(stretch, 0))),
+        challenge: ({ points = 0, stretch = 1 }) => points >= 14 && stretch < 0.01, rests: true,
     }, {
-        scene: (value) => ({ ...pixels, world: { gravity: [0, 900], damping: 0.06, bounds: { ...room, bounce: 0.3 } }, figures: [man(value)] }),
+        scene: (value) => ({ ...pixels, world: { gravity: [0, 900], damping: 0.06, bounds: { ...room, bounce: 0.3 } }, solver: { sleep: { speed: 10 } }, figures: [man(value)] }),
         slider: { unit: "kg", low: 1, high: 100, step: 1, value: 1, logarithmic: true },
         restarts: true,
         live: stretchOf,

@@ -1,4 +1,4 @@
-import { pixels, room, type Lesson } from "../lesson.js";
+import { filled, pixels, room, type Lesson } from "../lesson.js";
 
 export const triangle: Lesson = {
     id: "triangle",
@@ -11,7 +11,8 @@ export const triangle: Lesson = {
         }),
         slider: { low: 3, high: 12, step: 1, value: 3 },
         restarts: true,
-        live: (_, value) => ({ corners: value, ways: 2 * value, needed: 2 * value - 3, missing: value - 3 }),
-        reading: ({ corners = 3, ways = 6, needed = 3, missing = 0 }, { reading = "" }) => reading.replace("{ways}", `${ways}`).replace("{corners}", `${corners}`).replace("{needed}", `${needed}`).replace("{missing}", `${missing}`),
+        live: ({ particleCount: corners, constraintCount: sticks }) => ({ corners, sticks, ways: 2 * corners, needed: 2 * corners - 3, missing: 2 * corners - 3 - sticks }),
+        reading: (live, { reading = "" }) => filled(reading, Object.fromEntries(Object.entries(live).map(([name, count]) => [name, String(count)]))),
+        challenge: ({ corners = 0, missing = 1 }) => corners >= 6 && missing === 0, rests: true,
     }],
 };

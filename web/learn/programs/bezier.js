@@ -24,6 +24,8 @@ function draw() {
     line(upper, lower, 2, "#e9a820");
     for (const point of [upper, lower, curve(t)]) disc(point, 6, "#e9a820");
     for (const [point, color] of [[shoulder, "#5b6478"], [elbow, "#e4572e"], [hand, "#f2b58c"]]) disc(point, 11, color);
+    const middle = curve(0.5);
+    show("gap", Math.hypot(middle.x - elbow.x, middle.y - elbow.y));
     show("t", t);
 }
 

@@ -48,5 +48,6 @@ function draw() {
     }
     for (const name of ["leftHand", "rightHand", "leftFoot", "rightFoot"]) disc(points[name], 9, "#f2b58c");
     disc(points.head, 24, "#f2b58c");
+    show("points", Object.keys(points).length);
     show("stretch", Math.max(...rules.slice(0, bones.length).map(({a, b, low}) => far(a, b) / low - 1)));
 }

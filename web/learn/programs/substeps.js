@@ -40,6 +40,7 @@ const worst = (points) => Math.max(...points.slice(1).map((p, i) =>
     Math.hypot(p.x - points[i].x, p.y - points[i].y) / length - 1));
 
 function draw() {
+    show("effort", effort);
     for (const [points, name, color, word] of [[left, "left", "#c77d0a", "{passes}"], [right, "right", "#1f8a8a", "{substeps}"]]) {
         path(points, 7, color);
         disc(points[0], 5, "#8b8474");

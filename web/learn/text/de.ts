@@ -12,7 +12,7 @@ export const de: Text = {
         words: "Außer JavaScript gibt es disc, line, path, arrow, trail, square, write, graph (sie zeichnen), held und pointer (die Hand), walls, show und say. step(dt) wird 60-mal in der Sekunde gerufen, draw() für jedes Bild.",
         line: "Zeile {line}", tooLong: "Angehalten: Das hat länger als zwei Sekunden gedauert. Gibt es eine Schleife, die nie endet?",
         openInPlayground: "im Spielplatz öffnen", takeHome: "Zum Mitnehmen", takeHomeAbout: "Eine Datei, höchstens 60 Zeilen, kein Netz: Öffne sie im Browser und im Editor, und sie gehört dir.", look: "ansehen", save: "speichern",
-        toPlayground: "Zum Spielplatz", neighbours: "Nachbarn", figure: "Figur: {title}. Pfeiltasten bewegen einen Zeiger, Enter drückt und lässt los.", code: "Programm", failed: "Sinew ist nicht gestartet:",
+        toPlayground: "Zum Spielplatz", neighbours: "Nachbarn", figure: "Figur: {title}. Pfeiltasten bewegen einen Zeiger, Enter drückt und lässt los.", code: "Programm", decimal: ",", failed: "Sinew ist nicht gestartet:",
         printed: "Alle Lektionen auf einer Seite, zum Drucken oder zum Lesen ohne JavaScript", glossary: "Wörter",
         fileTitles: { sticks: "Punkte und Stäbe", rope: "Ein Seil und eine Kiste", cloth: "Ein Stoff, der reißt", ragdoll: "Eine Gliederpuppe", package: "Derselbe Mann, mit Sinew" },
         fileAbouts: {
@@ -63,7 +63,7 @@ export const de: Text = {
             ],
             questions: [
                 ["Warum dt·dt und nicht die Hälfte davon?", `In der Schule bewegt dich die Schwerkraft in der Zeit t um ½·g·t². Das gilt aus der Ruhe, in <em>einem</em> Schritt. Hier erbt jeder Schritt die Geschwindigkeit des vorigen, und über viele Schritte ergeben die beiden Hälften, eine von jedem Nachbarn, ein Ganzes. Probier es: Mit ½ fällt der Ball in derselben Zeit nur halb so weit.`],
-                ["Hängt es von der Bildrate ab?", `Ja, wenn du dt von Schritt zu Schritt änderst: Der Unterschied der Orte ist eine Geschwindigkeit <em>je Schritt</em>. Deshalb läuft das Programm immer mit 60 Schritten in der Sekunde, und gezeichnet wird dazwischen.`],
+                ["Hängt es von der Bildrate ab?", `Ja, wenn du dt von Schritt zu Schritt änderst: Der Unterschied der Orte ist eine Geschwindigkeit <em>je Schritt</em>. Deshalb läuft das Programm immer mit 60 Schritten in der Sekunde, wie oft dein Bildschirm auch ein Bild zeigt.`],
             ],
             source: "Verlet 1967; Jakobsen 2001; die Idee, Punkte zu versetzen, aus allen fünf Anleitungen, aus denen Sinew wuchs.",
         },
@@ -93,11 +93,11 @@ export const de: Text = {
             title: "Wer nimmt den Fehler?",
             before: [`Jeder die Hälfte ist gerecht, aber kein Gesetz. Ist der erste Punkt schwer oder an die Wand genagelt, muss der andere mehr nehmen. Eine Zahl sagt, wie der Fehler geteilt wird: Bei 0 bleibt der erste Punkt in Ruhe, bei 1 nimmt er alles.`],
             figures: [{
-                slider: "Anteil des roten Punkts", task: "Der Stab ist zuerst zu lang und schrumpft. Wo kommt er zur Ruhe? Dann zieh an einem Ende.", reading: "rot ist {red} px gewandert, gelb {yellow} px",
+                slider: "Anteil des roten Punkts", task: "Der Stab ist zuerst zu lang und schrumpft. Wo kommt er zur Ruhe? Dann zieh an einem Ende.", reading: "rot ist {red} px gewandert, gelb {yellow} px", challenge: "Lass den roten 100 px von seinem Anfang zur Ruhe kommen, auf einen halben Pixel genau.",
                 comments: { first: "Anteil des roten Punkts", slowly: "in jedem Schritt ein 25stel des Fehlers, damit man es sieht", itsShare: "der rote nimmt seinen Anteil", rest: "der gelbe den Rest" },
             }],
             after: [
-                `Die Enden sind 400 px auseinander und sollen es 130 sein: 270 px müssen weg. Bei 25 % wandert der rote 67,5 px und der gelbe 202,5.`,
+                `Die Enden sind 400 px auseinander und sollen es 130 sein: 270 px müssen weg. Bei 25 % wandert der rote 67,5 px und der gelbe 202,5. Der rote oben ist <output name="red" data-as="tenth">67,5</output> px gewandert, der gelbe <output name="yellow" data-as="tenth">202,5</output>.`,
                 `In der Natur dürfen wir das nicht wählen: Es folgt aus den Massen. Jeder Punkt bewegt sich im Verhältnis seiner <b>[[inverse Masse]]</b>, 1/m, und so bleibt der [[Schwerpunkt]], wo er ist. Ein angenagelter Punkt hat die inverse Masse 0, als wäre er unendlich schwer, und braucht keine Ausnahme.`,
                 `Die Flash-Anleitung, aus der diese Figur stammt, lässt dich wählen. Für Puppen ist das praktisch: Eine Hand, die der Maus folgt, soll nicht vom Arm zurückgezogen werden.`,
             ],
@@ -117,7 +117,7 @@ export const de: Text = {
             }],
             after: [
                 `Den <b>expliziten Euler</b> schreibt jeder zuerst, und er ist der einzige schlechte: In jeder Runde gewinnt er Energie und zieht davon. Lass den Ort <em>nach</em> der Geschwindigkeit rücken, zwei Zeilen vertauscht, und du hast den <b>[[symplektischen|symplektisch]] Euler</b>, der für immer bleibt. Beachte, dass auch sein Zug am alten Ort genommen wird: Mit dem Zug am neuen Ort wäre die erste Regel die zweite, nur verkleidet.`,
-                `<b>Beide Verlets</b> pendeln um die richtige Energie und driften nie: Bei 20 Schritten je Sekunde irren sie um höchstens 0,6 %, nach einer Minute und nach einem Jahr. <b>Runge-Kutta</b> ist über wenige Runden der genaueste, bei vierfacher Arbeit. Aber jedes Mal verliert er ein wenig, und ein wenig für immer ist viel: Bei 12 Schritten je Sekunde sind nach zwei Minuten 4 % fort, wo Verlet innerhalb von 1,4 % bleibt.`,
+                `<b>Beide Verlets</b> pendeln um die richtige Energie und driften nie: Bei 20 Schritten je Sekunde irren sie um höchstens 0,6 %, nach einer Minute und nach einem Tag. <b>Runge-Kutta</b> ist über wenige Runden der genaueste, bei vierfacher Arbeit. Aber jedes Mal verliert er ein wenig, und ein wenig für immer ist viel: Bei 12 Schritten je Sekunde sind nach zwei Minuten 4 % fort, wo Verlet innerhalb von 1,4 % bleibt.`,
             ],
             questions: [["Welchen nehme ich für ein Spiel?", `Verlet, wenn Dinge aneinander hängen, denn dann willst du Punkte von Hand versetzen. Sonst den symplektischen Euler. Beide mit gleich langen Schritten.`]],
             source: "Hairer, Lubich und Wanner, Geometric Numerical Integration, 2002.",
@@ -125,9 +125,9 @@ export const de: Text = {
         triangle: {
             title: "Warum Dreiecke steif sind",
             before: [`Drei Punkte und drei Stäbe sind ein Dreieck, und ein Dreieck kann seine Form nicht ändern: Es gibt nur ein Dreieck mit Seiten dieser Längen. Mit mehr Ecken geht es.`],
-            figures: [{ slider: "Ecken", task: "Gib ihm eine vierte Ecke und sieh zu, wie es zusammenklappt. Heb den Haufen an einer Ecke hoch.", reading: "{ways} Bewegungen, {corners} Stäbe, {needed} nötig: {missing} fehlen" }],
+            figures: [{ slider: "Ecken", task: "Gib ihm eine vierte Ecke und sieh zu, wie es zusammenklappt. Heb den Haufen an einer Ecke hoch.", reading: "{corners} Ecken, {ways} Bewegungen, {sticks} Stäbe, {needed} nötig: {missing} fehlen", challenge: "Gib sechs Ecken oder mehr genau so viele Stäbe, wie sie brauchen: Schreib ein Komma und <code>\"constraints\": [{\"between\": [\"form/corner_0\", \"form/corner_2\"]}]</code> vor die letzte Klammer, und dazu, was fehlt." }],
             after: [
-                `Zähl nach: Jede Ecke kann in zwei Richtungen, also haben n Ecken 2n Bewegungen. Jeder Stab nimmt eine weg. Das Ganze zu verschieben braucht zwei, es zu drehen eine, also machen <b>2n − 3</b> Stäbe es steif. Beim Dreieck sind das 3, und es hat 3. Ein Quadrat hat 4 und braucht 5. Die Figur oben hat <output name="corners">3</output> Stäbe und braucht <output name="needed">3</output>.`,
+                `Zähl nach: Jede Ecke kann in zwei Richtungen, also haben n Ecken 2n Bewegungen. Jeder Stab nimmt eine weg. Das Ganze zu verschieben braucht zwei, es zu drehen eine, also machen <b>2n − 3</b> Stäbe es steif. Beim Dreieck sind das 3, und es hat 3. Ein Quadrat hat 4 und braucht 5. Die Figur oben hat <output name="sticks">3</output> Stäbe und braucht <output name="needed">3</output>.`,
                 `Brücken, Kräne und Dächer sind aus demselben Grund Dreiecke. Mit zwölf Ecken und ohne Streben bekommst du einen Beutel, oder eine geschlossene Kette.`,
                 `Von hier an sind manche Figuren <b>Szenendateien</b>, die Sinew laufen lässt. Auch sie sind Text: Ändere sie, und lass sie laufen.`,
             ],
@@ -138,22 +138,22 @@ export const de: Text = {
             before: [`Vier Ecken und vier Seiten sind eine Kiste, die platt fällt. Der fehlende Stab ist eine Diagonale. (2 · 4 − 3 = 5.)`],
             figures: [{ slider: "Diagonalen", choices: ["keine", "eine", "beide"], task: "Wirf die Kiste ohne Diagonale, dann mit einer." }],
             after: [
-                `Die zweite Diagonale ist ein Stab mehr als nötig. Wo alle Längen passen, ändert sie nichts. Wo nicht, etwa wenn die Diagonale falsch gemessen wurde, streiten die Stäbe, und keiner bekommt seine Länge: Schreib <code>"braces": "both"</code>, gib eine falsche Länge dazu und sieh nach. Das ist der übliche Grund, warum eine eigene Kiste zittert.`,
+                `Die zweite Diagonale ist ein Stab mehr als nötig. Wo alle Längen passen, ändert sie nichts. Wo nicht, etwa wenn die Diagonale falsch gemessen wurde, streiten die Stäbe, und manche bekommen ihre Länge nicht. Wähl eine Diagonale, schreib ein Komma und <code>"constraints": [{"between": ["box/top_right", "box/bottom_left"], "rest": 150}]</code> vor die letzte Klammer der Datei, und lass sie laufen. Sinews Kiste wird krumm und liegt still; eine eigene zittert, und das ist der übliche Grund.`,
                 `Die Kiste taumelt auch, landet auf einer Kante und rollt ab, und wieder hat das niemand hingeschrieben.`,
             ],
-            questions: [["Meine Kiste spinnt: Sie hüpft für immer auf und ab.", `Zwei übliche Gründe. Der Abprall setzt den <em>alten</em> Ort auf die falsche Seite der Wand, und der Punkt bekommt mehr Geschwindigkeit, als er hatte. Oder Punkte werden sechsmal je Bild bewegt und die Stäbe nur einmal: Dann kommen die Stäbe nie nach. Bewege und bessere gleich oft.`]],
+            questions: [["Meine Kiste spinnt: Sie hüpft für immer auf und ab.", `Zwei übliche Gründe. Der Abprall setzt den <em>alten</em> Ort zu weit hinter die Wand, und der Punkt bekommt mehr Geschwindigkeit, als er hatte. Oder Punkte werden sechsmal je Bild bewegt und die Stäbe nur einmal: Dann kommen die Stäbe nie nach. Bewege und bessere gleich oft.`]],
             source: "Roblox-Entwicklerforum: Verlet-Integration, und die Fragen der Leser.",
         },
         iterations: {
             title: "Wozu Iterationen?",
             before: [
                 `In einem Seil gehört jeder Punkt zu zwei Stäben. Bessere den ersten aus, und du hast den zweiten kaputt gemacht; bessere den zweiten aus, und der erste stimmt wieder nicht. Also gehst du über alle Stäbe, immer wieder. Jeder Durchgang macht die Fehler kleiner, aber keiner macht sie null.`,
-                `Die Kurve zeigt es im Augenblick: von links nach rechts die Durchgänge <em>eines</em> Schritts, nach unten der Fehler, der bleibt; jede Linie ist ein Zehntel der darüber.`,
+                `Die Kurve zeigt es im Augenblick: Hinter deinem Seil hängen acht weitere, mit 1, 2, 4 … 128 Durchgängen, und jeder Punkt ist eines davon. Nach rechts gehen die Durchgänge, nach unten der Fehler, der bleibt, und jede Linie ist ein Zehntel der darüber. Der große Punkt ist deines.`,
             ],
             figures: [{
                 slider: "Durchgänge je Bild", task: "Fang mit einem Durchgang an: Das Seil ist ein Gummiband. Ab wie vielen sieht es nach Seil aus?", reading: "der längste Stab ist {stretch} zu lang",
                 challenge: "Unter 1 %, mit den wenigsten Durchgängen. Lass es zur Ruhe kommen.",
-                comments: { passes: "über alle Stäbe", mobility: "1 / Masse", again: "immer wieder", mend: "Lektion 3: nach inversen Massen", worst: "der längste Stab, als Anteil", graph: "Fehler nach jedem Durchgang" },
+                comments: { passes: "über alle Stäbe", others: "zum Vergleich", mobility: "1 / Masse", again: "immer wieder", mend: "Lektion 3: nach inversen Massen", worst: "der längste Stab, als Anteil", yours: "dein Seil", graph: "Fehler und Durchgänge" },
             }],
             after: [
                 `Doppelt so viele Durchgänge lassen etwa die Hälfte des Fehlers: 8 lassen 14 %, 16 lassen 7 %. Ein Seil aus <em>doppelt</em> so vielen halb so langen Stäben braucht etwa <em>viermal</em> so viele, um gleich steif zu sein. Und ein zehnmal so schweres Gewicht etwa zehnmal so viele. Das Seil oben ist gerade <output name="stretch" data-as="percent">29 %</output> zu lang, bei <output name="passes">4</output> Durchgängen.`,
@@ -170,7 +170,7 @@ export const de: Text = {
                 comments: { effort: "wie oft die Stäbe je Bild ausgebessert werden", left: "ein Schritt, viele Durchgänge", right: "viele Schritte, je ein Durchgang", air: "für beide dieselbe Luft", passes: "Durchgänge", substeps: "Teilschritte" },
             }],
             after: [
-                `In einem halb so langen Schritt fällt ein Punkt nur ein <em>Viertel</em> so weit (dt²!), also ist ein Viertel des Fehlers auszubessern. Doppelt so viele [[Teilschritte|Teilschritt]] lassen ein Viertel des Fehlers, doppelt so viele Durchgänge etwa die Hälfte: 16 Durchgänge lassen 4,6 %, 16 Teilschritte 0,31 %. Kleine Schritte gewinnen, und sie verlieren auch weniger Energie.`,
+                `In einem halb so langen Schritt fällt ein Punkt nur ein <em>Viertel</em> so weit (dt²!), also ist ein Viertel des Fehlers auszubessern. Doppelt so viele [[Teilschritte|Teilschritt]] lassen ein Viertel des Fehlers, doppelt so viele Durchgänge etwa die Hälfte: 16 Durchgänge lassen 4,6 %, 16 Teilschritte 0,31 %; bei <output name="effort">4</output> sind die Seile oben <output name="left" data-as="percent">19,5 %</output> und <output name="right" data-as="percent">5,0 %</output> zu lang. Kleine Schritte gewinnen, und sie verlieren auch weniger Energie.`,
                 `Sinew tut im physikalischen Modus 16 Teilschritte, außer die Figur lässt sich genau lösen: Das ist eine andere Lektion.`,
             ],
             source: "Macklin, Storey, Lu, Terdiman, Chentanez, Jeschke und Müller: Small Steps in Physics Simulation, 2019.",
@@ -190,7 +190,7 @@ export const de: Text = {
             title: "Stoff",
             before: [`Ein Stoff ist ein Seil in zwei Richtungen: ein Gitter aus Punkten, Fäden längs und quer. Diagonalen halten die Zellen davon ab, platt zu klappen, wie bei der Kiste.`],
             figures: [{ slider: "Fäden", task: "Zieh an einer Ecke; «zieh neben dem Stoff, um herumzugehen; die rechte Maustaste schneidet|zieh neben dem Stoff, um herumzugehen; mit dem Messer unten schneidet dein Finger». Ab wie vielen Fäden sieht es nach Stoff aus?", reading: "{count} Punkte, {rules} Regeln; der längste Faden ist {stretch} zu lang", choices: ["nicht einmal ein Millionstel"] }],
-            after: [`Mit doppelt so vielen Fäden gibt es viermal so viele Punkte, und Nachrichten haben doppelt so weit zu laufen. Hier geben einfache Löser auf: Feiner Stoff hängt durch wie Kaugummi. Sinew bindet jeden Punkt mit einem <b>[[Haltefaden]]</b> an die Ecken, an denen er hängt, nicht länger als der Weg die Fäden entlang. Das kostet wenig und hält sofort.`],
+            after: [`Mit doppelt so vielen Fäden gibt es viermal so viele Punkte, und Nachrichten haben doppelt so weit zu laufen. Hier geben einfache Löser auf: Feiner Stoff hängt durch wie Kaugummi. Sinew bindet jeden Punkt mit einem <b>[[Haltefaden]]</b> an die Ecken, an denen er hängt, nicht länger als der Weg die Fäden entlang. Das hält sofort.`],
             source: "Provot 1995; Kim, Chentanez und Müller-Fischer: Long Range Attachments, 2012.",
         },
         tearing: {
@@ -224,7 +224,7 @@ export const de: Text = {
                 `Die Kurve beginnt an der Schulter und endet an der Hand. Sie läuft auf den Ellbogen los und kommt von ihm her, geht aber nicht hindurch. Die gelben Punkte zeigen, wie man sie findet.`,
             ],
             figures: [{
-                slider: "Länge des Unterarms", task: "Führ die Hand um den Ellbogen. Wo läuft die Kurve bei gestrecktem Arm? Und bei gefaltetem?", reading: "t = {t}",
+                slider: "Länge des Unterarms", task: "Führ die Hand um den Ellbogen. Wo läuft die Kurve bei gestrecktem Arm? Und bei gefaltetem?", reading: "t = {t}; die Kurve geht {gap} px am Ellbogen vorbei", challenge: "Falte den Arm, bis die Kurve mehr als 70 px am Ellbogen vorbeigeht.",
                 comments: { forearm: "px", curve: "t von 0 bis 1", upper: "ein Punkt auf dem Oberarm", lower: "einer ebenso weit auf dem Unterarm", between: "und einer ebenso weit zwischen beiden", runs: "hin und her, damit man es sieht", share: "Lektion 3: der Anteil von a" },
             }],
             after: [
@@ -258,8 +258,8 @@ export const de: Text = {
                 },
             ],
             after: [
-                `Durchgänge tragen Nachrichten von Stab zu Stab, und ein schweres Gewicht am Ende leichter Stäbe ist der schlimmste Fall: Jeder Durchgang bewegt die leichten Punkte und kaum das Gewicht. Zehnfaches Gewicht braucht zehnmal so viele Durchgänge.`,
-                `Deshalb geht Sinew über ein Seil gar nicht reihum. Alle Längen zusammen sind ein Gleichungssystem: eine Tabelle, in der Zeile i sagt, wie Stab i von den Kräften in allen anderen bewegt wird. Für eine Reihe von Stäben ist sie fast leer, denn jeder kennt nur seine Nachbarn, und sie bleibt beim Lösen leer: einmal hinunter und einmal hinauf, so viele Schritte wie Stäbe. Ein Ring füllt eine Zeile, ein Netz fast alles.`,
+                `Durchgänge tragen Nachrichten von Stab zu Stab, und ein schweres Gewicht am Ende leichter Stäbe ist der schlimmste Fall: Jeder Durchgang bewegt die leichten Punkte und kaum das Gewicht. Zehnfaches Gewicht braucht zehnmal so viele Durchgänge. Die Seile oben sind gerade <output name="left" data-as="percent">16,8 %</output> und <output name="right" data-as="percent">0 %</output> zu lang.`,
+                `Deshalb geht Sinew über ein Seil gar nicht reihum. Alle Längen zusammen sind ein Gleichungssystem: eine Tabelle, in der Zeile i sagt, wie Stab i von den Kräften in allen anderen bewegt wird. Für eine Reihe von Stäben ist sie fast leer, denn jeder kennt nur seine Nachbarn, und sie bleibt beim Lösen leer: einmal hinunter und einmal hinauf, so viele Schritte wie Stäbe. Ein Ring füllt eine Zeile, ein Netz die halbe Tabelle.`,
                 `Figuren, die wie Bäume zusammenhängen, Seile, Gliederpuppen, Ketten und Brücken, werden so gelöst, <em>genau</em>. Stoff mit seinen vielen Schleifen wird in Durchgängen ausgebessert.`,
             ],
             source: "Cholesky für Bandmatrizen, in Goldenthal und andere 2007, Deul und andere 2018.",
@@ -267,10 +267,10 @@ export const de: Text = {
         swing: {
             title: "Eine Schaukel, die nicht müde wird",
             before: [`Stoß eine Schaukel ohne Reibung an, und sie sollte ewig schwingen, jedes Mal gleich hoch. Die meisten Maschinen verlieren in jedem Schritt ein wenig, und niemand merkt es, denn Schaukeln hören sowieso auf. Aber dann entscheidet die Zahl der Schritte, <em>wann</em>.`],
-            figures: [{ slider: "Reibung der Luft", task: "Lass sie eine Minute ohne Reibung allein. Dann gib etwas dazu: Die Energie sinkt so schnell, wie du sagst.", reading: "nach {seconds} s sind {left} der Energie übrig", bars: ["Höhe", "Bewegung"] }],
+            figures: [{ slider: "Reibung der Luft", task: "Lass sie eine Minute ohne Reibung allein. Dann gib etwas dazu: Die Energie sinkt so schnell, wie du sagst.", reading: "nach {seconds} s sind {left} der Energie übrig", bars: ["Höhe", "Bewegung"], challenge: "Nach zehn Sekunden ist die Hälfte der Energie übrig, auf ein Hundertstel genau." }],
             after: [
                 `Energie wandert zwischen Höhe und Bewegung hin und her: die beiden Balken. Zusammen sollten sie so lang bleiben, wie sie sind, und das tun sie: <output name="left" data-as="percent">100 %</output> sind übrig.`,
-                `Verlets Schritt behält Energie gut; das <em>Ausbessern</em> verliert sie. Wird der Sitz auf seinen Kreis zurückgezogen, ändert sich der Ort, aber nicht der Zeitpunkt, und jede solche Korrektur kommt einen halben Schritt zu spät. Sinew löst auch nach Geschwindigkeiten, und so läuft das Ausgebesserte auch den Kreis entlang.`,
+                `Verlets Schritt behält Energie gut; das <em>Ausbessern</em> verliert sie. Wird der Sitz auf seinen Kreis zurückgezogen, ist der Zug der vom Ende des Schritts, nicht der vom Weg dorthin: Jede solche Korrektur kommt zu spät, und je länger der Schritt, desto mehr nimmt sie. Sinew löst auch nach Geschwindigkeiten, und so läuft das Ausgebesserte auch den Kreis entlang.`,
                 `Reibung ist dann eine Zahl von dir, in 1/s: Mit 0,5 fällt die Geschwindigkeit in einer Sekunde auf 61 %, auf jedem Rechner. Siehe [[Dämpfung]].`,
             ],
             source: "Hairer, Lubich und Wanner 2002 (SHAKE und RATTLE: Ryckaert 1977, Andersen 1983).",
@@ -301,13 +301,13 @@ console.assert(simulation.hash() === first);  // hier, und auf jedem Rechner`,
             before: [`Du hast alles. Punkte, die fallen (1), Regeln, die ausgebessert werden (2, 3), immer wieder (7), mit Grenzen (9): Das ist eine Maschine, und das Programm unten ist alles davon. Ihr Mann hat 13 Punkte und 25 Regeln: 12 Knochen, 6 versteckte Stäbe, die Rumpf und Kopf halten, und 7 Abstände von <em>mindestens</em> so viel, damit Knie und Ellbogen nicht platt klappen.`],
             figures: [
                 {
-                    slider: "Durchgänge", task: "Wirf ihn. Dann gib ihm ein drittes Bein, einen Schwanz oder einen Hut: eine Zeile in der Tabelle der Punkte, eine in der Tabelle der Knochen.", reading: "der längste Knochen ist {stretch} zu lang",
+                    slider: "Durchgänge", task: "Wirf ihn. Dann gib ihm ein drittes Bein, einen Schwanz oder einen Hut: eine Zeile in der Tabelle der Punkte, eine in der Tabelle der Knochen.", reading: "der längste Knochen ist {stretch} zu lang", challenge: "Ein Mann aus 14 Punkten oder mehr, bei dem zwei Sekunden lang kein Knochen mehr als 1 % zu lang ist.",
                     comments: { passes: "Durchgänge je Schritt", turning: "hochgeworfen, und gedreht", hidden: "nicht gezeichnet: Sie halten Rumpf und Kopf", atLeast: "Regeln, die nur auseinanderdrücken", one: "Lektion 1", two: "und eine Hand", seven: "Lektion 7" },
                 },
-                { slider: "Gewicht des Kopfs", task: "Dasselbe Gerippe als Szenendatei. Mach den Kopf hundertmal so schwer wie jeden anderen Punkt: Deine eigene Maschine könnte das nicht.", reading: "der längste Knochen ist {stretch} zu lang", choices: ["nicht einmal ein Millionstel"] },
+                { slider: "Gewicht des Kopfs", task: "Dasselbe Gerippe als Szenendatei. Mach den Kopf hundertmal so schwer wie jeden anderen Punkt, und heb ihn an einem Fuß hoch: Seine Knochen bleiben so lang, wie sie sind, auf ein Millionstel. Deine eigene Maschine kennt noch keine Massen: Gib ihr welche, wie in Lektion 7, und vergleich.", reading: "der längste Knochen ist {stretch} zu lang", choices: ["nicht einmal ein Millionstel"] },
             ],
             after: [
-                `Die zweite Figur ist derselbe Mann, Punkt für Punkt und Regel für Regel; nur <code>step</code> ist von Sinew. Es kennt Massen, löst seine Knochen genau, behält die Energie, nennt Kräfte in Newton, lässt ihn schlafen, wenn er still liegt, und tut auf jedem Rechner dasselbe. Was du gelernt hast, ändert sich nicht: Punkte, und Regeln mit Grenzen.`,
+                `Die zweite Figur ist derselbe Mann, Punkt für Punkt und Regel für Regel; nur <code>step</code> ist von Sinew. Es kennt Massen, löst seine Knochen genau, behält die Energie, kennt die Kraft in jedem Knochen, lässt ihn schlafen, wenn er still liegt, und tut auf jedem Rechner dasselbe. Was du gelernt hast, ändert sich nicht: Punkte, und Regeln mit Grenzen.`,
                 `Nimm beide mit. Dann geh auf den Spielplatz: Jede Szene dort ist Text wie dieser.`,
             ],
             source: "Alles davor; Jakobsen 2001.",

@@ -12,7 +12,7 @@ export const en: Text = {
         words: "Besides JavaScript there are disc, line, path, arrow, trail, square, write, graph (they draw), held and pointer (the hand), walls, show and say. step(dt) is called 60 times a second, draw() for each picture.",
         line: "line {line}", tooLong: "Stopped: that took longer than two seconds. Is there a loop that never ends?",
         openInPlayground: "open in the playground", takeHome: "Take it home", takeHomeAbout: "One file, no more than 60 lines, no network: open it in a browser and in an editor, and it is yours.", look: "look at it", save: "save",
-        toPlayground: "To the playground", neighbours: "Neighbours", figure: "Figure: {title}. Arrow keys move a pointer, Enter presses and lets go.", code: "Code", failed: "Sinew did not start:",
+        toPlayground: "To the playground", neighbours: "Neighbours", figure: "Figure: {title}. Arrow keys move a pointer, Enter presses and lets go.", code: "Code", decimal: ".", failed: "Sinew did not start:",
         printed: "All lessons on one page, to print or to read without JavaScript", glossary: "Words",
         fileTitles: { sticks: "Points and sticks", rope: "A rope and a box", cloth: "A cloth that tears", ragdoll: "A ragdoll", package: "The same man, on Sinew" },
         fileAbouts: {
@@ -64,7 +64,7 @@ export const en: Text = {
             ],
             questions: [
                 ["Why dt·dt, and not half of it?", `School says that in a time t gravity moves you by ½·g·t². That is from rest, in <em>one</em> step. Here each step inherits the speed of the one before, and over many steps the two halves, one from each neighbour, make a whole. Try it: with ½ the ball falls half as far in the same time.`],
-                ["Does it depend on the frame rate?", `It does, if you let dt change from step to step: the difference of places is a speed <em>per step</em>. So the program is always stepped 60 times a second, and what you see is drawn in between.`],
+                ["Does it depend on the frame rate?", `It does, if you let dt change from step to step: the difference of places is a speed <em>per step</em>. So the program is always stepped 60 times a second, however often your screen shows a picture.`],
             ],
             source: "Verlet 1967; Jakobsen 2001; the idea of placing points comes from all five tutorials that Sinew grew from.",
         },
@@ -94,11 +94,11 @@ export const en: Text = {
             title: "Who takes the error?",
             before: [`Half each is fair, but not a law. If the first point is heavy, or nailed to the wall, the other must take more. One number tells how the error is split: 0 leaves the first point alone, 1 makes it take everything.`],
             figures: [{
-                slider: "share of the red point", task: "The stick is too long at first and shrinks. Where does it end up? Then drag one end.", reading: "red has moved {red} px, yellow {yellow} px",
+                slider: "share of the red point", task: "The stick is too long at first and shrinks. Where does it end up? Then drag one end.", reading: "red has moved {red} px, yellow {yellow} px", challenge: "Let the red one come to rest 100 px from where it began, to half a pixel.",
                 comments: { first: "share of the red point", slowly: "a 25th of the error in each step, to see it happen", itsShare: "the red one takes its share", rest: "the yellow one the rest" },
             }],
             after: [
-                `The ends are 400 px apart and should be 130: 270 px have to go. With 25 % the red one moves 67.5 px and the yellow one 202.5.`,
+                `The ends are 400 px apart and should be 130: 270 px have to go. With 25 % the red one moves 67.5 px and the yellow one 202.5. The red one above has moved <output name="red" data-as="tenth">67.5</output> px, the yellow one <output name="yellow" data-as="tenth">202.5</output>.`,
                 `In nature the split is not for us to choose: it follows from the masses. Each point moves in proportion to its <b>[[inverse mass]]</b>, 1/m, so that the [[centre of gravity]] stays where it is. A nailed point has inverse mass 0, as if it were infinitely heavy, and needs no special case.`,
                 `The Flash tutorial, from which this figure is, lets you choose, which is handy for puppets: a hand that follows the mouse should not be pulled back by the arm.`,
             ],
@@ -118,7 +118,7 @@ export const en: Text = {
             }],
             after: [
                 `<b>Explicit Euler</b> is what everybody writes first, and the only bad one: it gains energy in each round and leaves. Let the place move <em>after</em> the speed, two lines swapped, and you have <b>[[symplectic]] Euler</b>, which stays for ever. Mind that its pull is still taken at the old place: with the pull at the new place the first rule would be the second in disguise.`,
-                `<b>Both Verlets</b> swing about the right energy and never drift: with 20 steps a second they are off by at most 0.6 %, after a minute and after a year. <b>Runge-Kutta</b> is the most exact over a few rounds, at four times the work. But it loses a little each time, and a little for ever is a lot: with 12 steps a second 4 % are gone in two minutes, where Verlet keeps within 1.4 %.`,
+                `<b>Both Verlets</b> swing about the right energy and never drift: with 20 steps a second they are off by at most 0.6 %, after a minute and after a day. <b>Runge-Kutta</b> is the most exact over a few rounds, at four times the work. But it loses a little each time, and a little for ever is a lot: with 12 steps a second 4 % are gone in two minutes, where Verlet keeps within 1.4 %.`,
             ],
             questions: [["Which one should I use in a game?", `Verlet, if things are tied together, because then you will want to move points by hand. Symplectic Euler otherwise. Both with steps of the same length.`]],
             source: "Hairer, Lubich and Wanner, Geometric Numerical Integration, 2002.",
@@ -126,9 +126,9 @@ export const en: Text = {
         triangle: {
             title: "Why triangles are stiff",
             before: [`Three points and three sticks are a triangle, and a triangle cannot change its shape: there is only one triangle with sides of these lengths. More corners, and it can.`],
-            figures: [{ slider: "corners", task: "Give it a fourth corner and watch it fold. Pick the heap up by a corner.", reading: "{ways} ways to move, {corners} sticks, {needed} needed: {missing} missing" }],
+            figures: [{ slider: "corners", task: "Give it a fourth corner and watch it fold. Pick the heap up by a corner.", reading: "{corners} corners, {ways} ways to move, {sticks} sticks, {needed} needed: {missing} missing", challenge: "Give six corners or more exactly as many sticks as they need: write a comma and <code>\"constraints\": [{\"between\": [\"form/corner_0\", \"form/corner_2\"]}]</code> before the last brace, and add what is missing." }],
             after: [
-                `Count: each corner can move in two directions, so n corners have 2n ways to move. Each stick takes one away. Moving the whole thing about takes two and turning it one, so <b>2n − 3</b> sticks make it stiff. For a triangle that is 3, and it has 3. A square has 4, and needs 5. The figure above has <output name="corners">3</output> sticks and needs <output name="needed">3</output>.`,
+                `Count: each corner can move in two directions, so n corners have 2n ways to move. Each stick takes one away. Moving the whole thing about takes two and turning it one, so <b>2n − 3</b> sticks make it stiff. For a triangle that is 3, and it has 3. A square has 4, and needs 5. The figure above has <output name="sticks">3</output> sticks and needs <output name="needed">3</output>.`,
                 `Bridges, cranes and roofs are triangles for the same reason. With twelve corners and no braces you get a bag, or a chain that is closed.`,
                 `From here on some figures are <b>scene files</b> that Sinew runs. They are text as well: change them, and run them.`,
             ],
@@ -139,22 +139,22 @@ export const en: Text = {
             before: [`Four corners and four sides make a box that falls flat. The stick that was missing is a diagonal. (2 · 4 − 3 = 5.)`],
             figures: [{ slider: "diagonals", choices: ["none", "one", "both"], task: "Throw the box without a diagonal, then with one." }],
             after: [
-                `The second diagonal is one stick more than needed. Where all lengths fit, it changes nothing. Where they do not, as with a box whose diagonal was measured wrongly, the sticks quarrel and none of them gets its length: write <code>"braces": "both"</code>, add a wrong length, and see. This is the usual reason why a box of your own shakes.`,
+                `The second diagonal is one stick more than needed. Where all lengths fit, it changes nothing. Where they do not, as with a box whose diagonal was measured wrongly, the sticks quarrel, and some do not get their lengths. Choose one diagonal, write a comma and <code>"constraints": [{"between": ["box/top_right", "box/bottom_left"], "rest": 150}]</code> before the last brace of the file, and run it. Sinew’s box is bent, and lies still; a box of your own shakes, and this is the usual reason.`,
                 `The box also tumbles, lands on an edge and rolls over, and again nobody wrote that down.`,
             ],
-            questions: [["My box does weird things: it bounces up and down for ever.", `Two usual reasons. The bounce sets the <em>old</em> place on the wrong side of the wall, which gives the point more speed than it had. Or points are moved six times a frame and the sticks only once: then the sticks never catch up. Move and mend the same number of times.`]],
+            questions: [["My box does weird things: it bounces up and down for ever.", `Two usual reasons. The bounce sets the <em>old</em> place too far behind the wall, which gives the point more speed than it had. Or points are moved six times a frame and the sticks only once: then the sticks never catch up. Move and mend the same number of times.`]],
             source: "Roblox developer forum: Verlet integration, and the questions of its readers.",
         },
         iterations: {
             title: "Why iterations?",
             before: [
                 `In a rope each point belongs to two sticks. Mend the first, and you have broken the second; mend the second, and the first is wrong again. So you go over all sticks, again and again. Each pass makes the errors smaller, but none makes them zero.`,
-                `The curve shows it live: from left to right the passes of <em>one</em> step, and downwards the error that is left; each line is a tenth of the one above.`,
+                `The curve shows it live: behind your rope hang eight more, with 1, 2, 4 … 128 passes, and each dot is one of them. To the right are the passes, downwards the error that is left, and each line is a tenth of the one above. The large dot is yours.`,
             ],
             figures: [{
                 slider: "passes a frame", task: "Begin with one pass: the rope is a rubber band. How many until it looks like rope?", reading: "most stretched stick: {stretch} too long",
                 challenge: "Below 1 %, with the fewest passes. Let it come to rest.",
-                comments: { passes: "over all sticks", mobility: "1 / mass", again: "again and again", mend: "lesson 3: by inverse masses", worst: "the longest stick, as a share", graph: "error after each pass" },
+                comments: { passes: "over all sticks", others: "to compare", mobility: "1 / mass", again: "again and again", mend: "lesson 3: by inverse masses", worst: "the longest stick, as a share", yours: "your rope", graph: "error against passes" },
             }],
             after: [
                 `Twice the passes leave about half of the error: 8 passes leave 14 %, 16 leave 7 %. A rope with <em>twice</em> as many sticks of half the length needs about <em>four times</em> as many passes to be equally stiff. And a weight ten times as heavy needs about ten times as many. The rope above is now <output name="stretch" data-as="percent">29 %</output> too long with <output name="passes">4</output> passes.`,
@@ -171,7 +171,7 @@ export const en: Text = {
                 comments: { effort: "how often the sticks are mended in a frame", left: "one step, many passes", right: "many steps, one pass each", air: "the same air for both", passes: "passes", substeps: "substeps" },
             }],
             after: [
-                `In a step of half the length a point falls a <em>quarter</em> as far (dt²!), so there is a quarter of the error to mend. Twice the [[substeps|substep]] leave a quarter of the error, where twice the passes leave about half of it: 16 passes leave 4.6 %, 16 substeps 0.31 %. Small steps win, and they also lose less energy.`,
+                `In a step of half the length a point falls a <em>quarter</em> as far (dt²!), so there is a quarter of the error to mend. Twice the [[substeps|substep]] leave a quarter of the error, where twice the passes leave about half of it: 16 passes leave 4.6 %, 16 substeps 0.31 %; with <output name="effort">4</output> of either the ropes above are <output name="left" data-as="percent">19.5 %</output> and <output name="right" data-as="percent">5.0 %</output> too long. Small steps win, and they also lose less energy.`,
                 `Sinew takes 16 substeps in physical mode, unless the figure can be solved exactly: that is another lesson.`,
             ],
             source: "Macklin, Storey, Lu, Terdiman, Chentanez, Jeschke and Müller: Small Steps in Physics Simulation, 2019.",
@@ -191,7 +191,7 @@ export const en: Text = {
             title: "Cloth",
             before: [`A cloth is a rope in two directions: a grid of points, threads along and across. Diagonals keep the cells from folding flat, as in the box.`],
             figures: [{ slider: "threads", task: "Drag a corner; «drag beside the cloth to walk around it; the right mouse button cuts|drag beside the cloth to walk around it; the knife below makes your finger cut». How many threads until it looks like cloth?", reading: "{count} points, {rules} rules; most stretched thread: {stretch} too long", choices: ["not even a millionth"] }],
-            after: [`With twice as many threads there are four times as many points, and news has twice as far to go. This is where simple solvers give up: a fine cloth sags like chewing gum. Sinew ties each point with a <b>[[tether]]</b> to the corners it hangs on, not longer than the way along the threads. That costs little and holds at once.`],
+            after: [`With twice as many threads there are four times as many points, and news has twice as far to go. This is where simple solvers give up: a fine cloth sags like chewing gum. Sinew ties each point with a <b>[[tether]]</b> to the corners it hangs on, not longer than the way along the threads. That holds at once.`],
             source: "Provot 1995; Kim, Chentanez and Müller-Fischer: Long Range Attachments, 2012.",
         },
         tearing: {
@@ -225,7 +225,7 @@ export const en: Text = {
                 `The curve begins at the shoulder and ends at the hand. It leaves towards the elbow, and arrives from it, but does not go through it. The yellow points show how it is found.`,
             ],
             figures: [{
-                slider: "length of the forearm", task: "Move the hand around the elbow. Where does the curve go when the arm is straight? When it is folded?", reading: "t = {t}",
+                slider: "length of the forearm", task: "Move the hand around the elbow. Where does the curve go when the arm is straight? When it is folded?", reading: "t = {t}; the curve passes the elbow {gap} px away", challenge: "Fold the arm until the curve passes the elbow more than 70 px away.",
                 comments: { forearm: "px", curve: "t from 0 to 1", upper: "a point on the upper arm", lower: "one as far along the forearm", between: "and one as far between the two", runs: "to and fro, to see it", share: "lesson 3: the share of a" },
             }],
             after: [
@@ -259,8 +259,8 @@ export const en: Text = {
                 },
             ],
             after: [
-                `A sweep passes news from stick to stick, and a heavy weight at the end of light sticks is the worst case: each pass moves the light points and hardly the weight. Ten times the weight needs ten times the passes.`,
-                `So Sinew does not sweep a rope at all. All lengths at once are a system of equations: a table in which line i tells how stick i is moved by the forces in all others. For a row of sticks it is nearly empty, since each knows only its neighbours, and it stays empty while it is solved: one way down and one way up, as many steps as there are sticks. A ring fills one line, a net nearly everything.`,
+                `A sweep passes news from stick to stick, and a heavy weight at the end of light sticks is the worst case: each pass moves the light points and hardly the weight. Ten times the weight needs ten times the passes. The ropes above are now <output name="left" data-as="percent">16.8 %</output> and <output name="right" data-as="percent">0 %</output> too long.`,
+                `So Sinew does not sweep a rope at all. All lengths at once are a system of equations: a table in which line i tells how stick i is moved by the forces in all others. For a row of sticks it is nearly empty, since each knows only its neighbours, and it stays empty while it is solved: one way down and one way up, as many steps as there are sticks. A ring fills one line, a net half of the table.`,
                 `Figures that hang together like trees, ropes, ragdolls, chains and bridges are solved like this, <em>exactly</em>. Cloth, with its many loops, is swept.`,
             ],
             source: "Cholesky for banded systems, in Goldenthal and others 2007, Deul and others 2018.",
@@ -268,10 +268,10 @@ export const en: Text = {
         swing: {
             title: "A swing that keeps swinging",
             before: [`Push a swing without friction, and it should swing for ever, as high each time. Most engines lose a little in each step, and nobody notices, since swings stop anyway. But then the number of steps decides <em>when</em>.`],
-            figures: [{ slider: "friction of the air", task: "Leave it alone for a minute with no friction. Then add some: the energy sinks as fast as you say.", reading: "after {seconds} s {left} of the energy are left", bars: ["height", "motion"] }],
+            figures: [{ slider: "friction of the air", task: "Leave it alone for a minute with no friction. Then add some: the energy sinks as fast as you say.", reading: "after {seconds} s {left} of the energy are left", bars: ["height", "motion"], challenge: "Half of the energy is left after ten seconds, to a hundredth." }],
             after: [
                 `Energy goes to and fro between height and motion: the two bars. Together they should stay as long as they are, and here they do: <output name="left" data-as="percent">100 %</output> are left.`,
-                `Verlet’s step keeps energy well; the <em>mending</em> loses it. When the seat is pulled back onto its circle, the place changes but the time at which it happens does not, and each such correction is late by half a step. Sinew solves for speeds as well as for places, so what was mended also moves along the circle.`,
+                `Verlet’s step keeps energy well; the <em>mending</em> loses it. When the seat is pulled back onto its circle, the pull is that of the end of the step, not of the way there: each such correction comes late, and the longer the step the more it takes. Sinew solves for speeds as well as for places, so what was mended also moves along the circle.`,
                 `Friction is then a number of yours, in 1/s: with 0.5 the speed falls to 61 % in a second, on every machine. See [[damping]].`,
             ],
             source: "Hairer, Lubich and Wanner 2002 (SHAKE and RATTLE: Ryckaert 1977, Andersen 1983).",
@@ -304,13 +304,13 @@ console.assert(simulation.hash() === first);  // here, and on every machine`,
             ],
             figures: [
                 {
-                    slider: "passes", task: "Throw him. Then give him a third leg, a tail, or a hat: a line in the table of points, a line in the table of bones.", reading: "most stretched bone: {stretch} too long",
+                    slider: "passes", task: "Throw him. Then give him a third leg, a tail, or a hat: a line in the table of points, a line in the table of bones.", reading: "most stretched bone: {stretch} too long", challenge: "A man of 14 points or more, with no bone more than 1 % too long for two seconds.",
                     comments: { passes: "passes a step", turning: "thrown up, and turning", hidden: "not drawn: they hold trunk and head", atLeast: "rules that only push apart", one: "lesson 1", two: "and a hand", seven: "lesson 7" },
                 },
-                { slider: "weight of the head", task: "The same skeleton as a scene file. Make the head a hundred times as heavy as any other point: your own engine could not.", reading: "most stretched bone: {stretch} too long", choices: ["not even a millionth"] },
+                { slider: "weight of the head", task: "The same skeleton as a scene file. Make the head a hundred times as heavy as any other point, and lift him by a foot: his bones keep their lengths to a millionth. Your own engine knows no masses yet: give it some, as in lesson 7, and compare.", reading: "most stretched bone: {stretch} too long", choices: ["not even a millionth"] },
             ],
             after: [
-                `The second figure is the same man, point for point and rule for rule; only <code>step</code> is Sinew’s. It knows masses, solves his bones exactly, keeps energy, gives forces in newtons, puts him to sleep when he lies still, and does the same on every machine. What you have learnt does not change: points, and rules with limits.`,
+                `The second figure is the same man, point for point and rule for rule; only <code>step</code> is Sinew’s. It knows masses, solves his bones exactly, keeps energy, knows the force in each bone, lets him sleep when he lies still, and does the same on every machine. What you have learnt does not change: points, and rules with limits.`,
                 `Take both home. Then go to the playground: every scene there is text like this.`,
             ],
             source: "Everything before; Jakobsen 2001.",

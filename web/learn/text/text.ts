@@ -69,6 +69,7 @@ export interface Ui {
     neighbours: string;
     figure: string;       // {title}
     code: string;
+    decimal: string;      // of numbers, "." or ","
     failed: string;
     printed: string;
     fileTitles: Record<string, string>;

@@ -1,0 +1,21 @@
+// Parts of sentences that claim nothing a program could try: things to do, questions, names, history, whose sources the lessons name.
+export const claimless = {
+    point: ["so begin with one", "Throw the ball.", "Then turn gravity off", "This is Verlet integration", "Loup Verlet used it in 1967", "That is the trick of all figures"],
+    stick: ["A stick is a promise", "Throw it, so that it tumbles", "Nobody told the stick how to turn", "Theta (θ) is just the Greek letter", "which way do I look", "Nobody understands it all at once", "All the rest of this course"],
+    split: ["Half each is fair", "One number tells how the error is split", "Where does it end up", "Then drag one end"],
+    integrators: ["Nothing forces you", "How few can Verlet live with", "Symplectic Euler otherwise"],
+    triangle: ["Pick the heap up by a corner", "Bridges, cranes and roofs"],
+    box: ["Throw the box without a diagonal", "Choose one diagonal", "Two usual reasons"],
+    iterations: ["How many until it looks like rope"],
+    substeps: ["You can afford, say, 16 passes", "Double the number"],
+    chain: ["Fold the chain with 180°"],
+    cloth: ["Drag a corner", "How many threads until it looks like cloth"],
+    tearing: ["That is all.", "Pull fast.", "The right mouse button cuts"],
+    ragdoll: ["Pull him down by a foot", "The Roblox tutorial’s man has six"],
+    bezier: ["it looks like a robot’s", "it is a hose, a tentacle", "Move the hand around the elbow", "Where does the curve go when the arm is straight", "When it is folded", "Paul de Casteljau found it"],
+    compliance: ["A spring in the shop has one number", "Then bounce it."],
+    rope: ["Swing both.", "Which figure stays empty"],
+    swing: ["See damping"],
+    determinism: ["Two players far apart can share a world"],
+    capstone: ["You have everything.", "Throw him.", "The same skeleton as a scene file", "Take both home"],
+};
