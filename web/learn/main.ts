@@ -11,7 +11,7 @@ import { filled, isProgram, type Lesson } from "./lesson.js";
 import { lessons } from "./lessons/lessons.js";
 import { isSeen, isSolved, markSeen } from "./progress.js";
 import { language, languages, loadText, setLanguage, type Text } from "./text/text.js";
-import { html } from "./words.js";
+import { html, keepTipsOnPage } from "./words.js";
 
 applyTheme();
 stayFresh();
@@ -97,7 +97,7 @@ function takeHome(files: string[]): Child {
     return el("section", { class: "home", "aria-label": ui.takeHome }, el("h2", {}, ui.takeHome), el("p", {}, ui.takeHomeAbout),
         ...files.map((file) => {
             const href = `../take_home/${language()}/${file}.html`;
-            return el("p", {}, el("b", {}, ui.fileTitles[file]!), ` ${ui.fileAbouts[file]!} `, file !== "package" && el("a", { class: "button", href, target: "_blank" }, icon("play"), ui.look),
+            return el("p", { class: "file" }, el("span", {}, el("b", {}, ui.fileTitles[file]!), ` ${ui.fileAbouts[file]!}`), file !== "package" && el("a", { class: "button", href, target: "_blank" }, icon("play"), ui.look),
                 el("a", { class: "button", href, download: `${file}.html` }, icon("save"), ui.save));
         }));
 }
@@ -139,6 +139,7 @@ async function follow(): Promise<void> {
 Object.defineProperty(window, "sinew", { get: () => ({ views, lessons: lessons.map(({ id, figures }) => ({ id, figures: figures.length })) }) }); // for the browser's console
 document.addEventListener("progress", showProgress);
 addEventListener("hashchange", () => void follow());
+keepTipsOnPage(page);
 dress();
 try {
     await follow();

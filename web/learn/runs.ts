@@ -117,6 +117,7 @@ export class SceneRun implements Run {
         try {
             work();
             this.onproblems([]);
+            this.onframe(); // a figure out of sight has no frames
         } catch (error) {
             if (!(error instanceof SceneErrors)) throw error;
             this.onproblems(error.errors.map(({ line, message, help }) => ({ line, message: help ? `${message}; ${help}` : message })));
