@@ -17,6 +17,7 @@ export class CodeBox {
     private editor: CodeEditor | null = null;
     private observer: IntersectionObserver | null = null;
     private shown: [text: string, other: string] = ["", ""];
+    private edited: string | null = null; // before the editor has come
 
     /** `run` takes an edited text; `reset` brings the figure's own back. */
     constructor(private readonly language: "javascript" | "json", private readonly ui: Ui, private readonly run: (text: string) => void, private readonly reset: () => void) {
@@ -40,7 +41,7 @@ export class CodeBox {
     }
 
     get text(): string {
-        return this.editor?.text ?? this.shown[0];
+        return this.editor?.text ?? this.edited ?? this.shown[0];
     }
 
     get isEdited(): boolean {
@@ -50,9 +51,18 @@ export class CodeBox {
     /** Shows the figure's own text; lines that differ from `other` are marked. */
     show(text: string, other: string): void {
         this.shown = [text, other];
+        this.edited = null;
         this.pre.replaceChildren(...markedLines(text, other).map(({ line, isMarked }) => el(isMarked ? "mark" : "span", {}, `${line}\n`)));
         this.editor?.show(text, other);
         this.tell([]);
+        this.follow();
+    }
+
+    /** Takes a text that the reader has edited earlier. */
+    take(text: string): void {
+        this.edited = text;
+        this.pre.replaceChildren(text);
+        this.editor?.show(text, text);
         this.follow();
     }
 
@@ -68,7 +78,8 @@ export class CodeBox {
         if (this.editor) return;
         this.place.replaceChildren();
         this.editor = new CodeEditor(this.place, this.language, this.ui.code, () => this.follow(), () => this.start());
-        this.editor.show(...this.shown);
+        if (this.edited === null) this.editor.show(...this.shown);
+        else this.editor.show(this.edited, this.edited);
     }
 
     private start(): void {

@@ -4,7 +4,7 @@ import type { Loaded } from "../common/engine.js";
 import { icon } from "../common/icons.js";
 import { CodeBox } from "./code_box.js";
 import { filled, inLanguage, isProgram, states, textOf, withValue, type Figure, type Live, type Slider, type Ui } from "./lesson.js";
-import { bestOf, isSolved, markSolved } from "./progress.js";
+import { bestOf, isSolved, keepText, keptText, markSolved } from "./progress.js";
 import { ProgramRun, SceneRun, type Run } from "./runs.js";
 import { sceneText } from "./scene_text.js";
 import type { FigureText } from "./text/text.js";
@@ -40,7 +40,7 @@ export class FigureView {
         this.pause = el("button", { type: "button", class: "quiet", onclick: () => this.togglePause() });
         this.bars = (text.bars ?? []).map(() => el("i"));
         this.challenge = text.challenge ? el("p", { class: "challenge" }) : null;
-        this.box = new CodeBox(isScene ? "json" : "javascript", ui, (edited) => this.begun(edited), () => this.start(this.own(this.current)));
+        this.box = new CodeBox(isScene ? "json" : "javascript", ui, (edited) => this.begun(edited), () => this.undone());
         this.root = el("figure", { class: "live" },
             el("div", { class: "canvas" }, this.canvas),
             el("div", { class: "controls" },
@@ -67,7 +67,9 @@ export class FigureView {
             if (problems.length > 0) this.isAwaited = false;
             this.box.tell(problems.map((problem) => (problem === "too long" ? { line: 0, message: this.ui.tooLong } : problem)));
         };
-        this.run.open(this.box.text);
+        const kept = keptText(this.id);
+        if (kept !== undefined && kept !== this.box.text) this.box.take(kept);
+        this.start(this.box.text);
         this.box.begin();
     }
 
@@ -106,7 +108,13 @@ export class FigureView {
     private begun(text: string): void {
         this.isAwaited = true;
         this.readAt = 0;
+        keepText(this.id, this.box.isEdited ? text : undefined);
         this.start(text);
+    }
+
+    private undone(): void {
+        keepText(this.id);
+        this.start(this.own(this.current));
     }
 
     private start(text: string): void {

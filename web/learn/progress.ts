@@ -4,15 +4,19 @@ interface Progress {
     solved: string[];
     /** Smallest value of the slider that solved a challenge. */
     best: Record<string, number>;
+    /** Texts of figures that the reader changed and ran. */
+    texts: Record<string, string>;
 }
+
+const none = (): Progress => ({ seen: [], solved: [], best: {}, texts: {} });
 
 const key = "sinew.lessons";
 
 function read(): Progress {
     try {
-        return { seen: [], solved: [], best: {}, ...(JSON.parse(localStorage.getItem(key) ?? "{}") as Partial<Progress>) };
+        return { ...none(), ...(JSON.parse(localStorage.getItem(key) ?? "{}") as Partial<Progress>) };
     } catch {
-        return { seen: [], solved: [], best: {} };
+        return none();
     }
 }
 
@@ -39,5 +43,15 @@ export function markSolved(id: string, value: number, isFewestBest: boolean): vo
     if (isSolved(id) && (!isFewestBest || (best !== undefined && best <= value))) return;
     if (!isSolved(id)) progress.solved.push(id);
     if (isFewestBest) progress.best[id] = value;
+    keep();
+}
+
+export const keptText = (id: string): string | undefined => progress.texts[id];
+
+/** Keeps a reader's own text of a figure; without one the figure's is back. */
+export function keepText(id: string, text?: string): void {
+    if (text === keptText(id)) return;
+    if (text === undefined) delete progress.texts[id];
+    else progress.texts[id] = text;
     keep();
 }

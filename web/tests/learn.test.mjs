@@ -1,9 +1,8 @@
-// The lessons in the browser: figures, programs that are edited, run, broken and reset, files to take home.
+// The lessons in the browser: figures, programs that are edited, run, broken and reset.
 import assert from "node:assert/strict";
-import { copyFile, cp, mkdir, readFile, writeFile } from "node:fs/promises";
+import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { after, before, test } from "node:test";
-import { pathToFileURL } from "node:url";
 import { desktop, moving, phone, visit } from "./browser.mjs";
 
 let site;
@@ -153,6 +152,26 @@ test("a challenge is checked, and what is done is kept", { timeout: 60_000 }, ()
         assert.ok(await page.locator('#contents a.solved[href="#compliance"]').isVisible());
     }));
 
+test("a text that was run is there after another lesson and after a reload, until it is reset", { timeout: 60_000 }, () =>
+    site.on(desktop, "learn/#point", async (page) => {
+        await moving(page);
+        await rewrite(page, "speedY + gravity * dt * dt", "0");
+        await run(page);
+        await page.locator(".turn .on").click();
+        await page.waitForFunction(() => document.querySelector("h1").textContent.includes("stick"));
+        await page.goBack();
+        const isFlying = () => page.waitForFunction(() => window.sinew?.views[0]?.state.live.height === 384 - 330);
+        await isFlying();
+        await page.reload();
+        await isFlying();
+        assert.ok((await state(page)).text.includes("ball.y += 0"));
+        assert.ok(await page.locator(".lines.edited").isVisible());
+        await page.getByRole("button", { name: "Reset" }).click();
+        await page.reload();
+        await moving(page);
+        assert.ok((await state(page)).text.includes("speedY + gravity"));
+    }));
+
 test("numbers in the text follow the figure", { timeout: 60_000 }, () =>
     site.on(desktop, "learn/#triangle", async (page) => {
         await moving(page);
@@ -235,51 +254,6 @@ test("in German, by the address, by the browser, and by a button", { timeout: 60
     await site.on({ ...desktop, locale: "de-AT" }, "learn/", async (page) => {
         await page.getByRole("heading", { name: "Vom Punkt zur Gliederpuppe" }).waitFor();
     });
-});
-
-/** True if the picture of a page's canvas changes. */
-async function moves(page) {
-    const taken = () => page.evaluate(() => document.querySelector("canvas").toDataURL());
-    const first = await taken();
-    await page.waitForTimeout(400);
-    return first !== (await taken());
-}
-
-test("files to take home run by themselves, from a folder, without a server", { timeout: 120_000 }, async () => {
-    for (const language of ["en", "de"]) for (const name of ["sticks", "rope", "cloth", "ragdoll"]) {
-        const from = path.resolve(import.meta.dirname, `../dist/take_home/${language}/${name}.html`), file = path.join(site.folder, `${name}.html`);
-        await copyFile(from, file);
-        const page = await site.browser.newPage();
-        const complaints = [];
-        page.on("pageerror", (error) => complaints.push(String(error)));
-        page.on("request", (request) => request.url().startsWith("http") && complaints.push(request.url()));
-        await page.goto(pathToFileURL(file).href);
-        assert.ok(await moves(page), `${name} stands still`);
-        await page.mouse.move(200, 120);
-        await page.mouse.down();
-        await page.mouse.move(500, 300, { steps: 5 });
-        await page.mouse.up();
-        assert.ok(await moves(page), name);
-        assert.deepEqual(complaints, []);
-        await page.close();
-    }
-});
-
-test("the last file to take home runs on the package", { timeout: 60_000 }, async () => {
-    const root = path.join(site.folder, "own"), files = path.resolve(import.meta.dirname, "../sinew");
-    await mkdir(root, { recursive: true });
-    await cp(files, path.join(root, "sinew"), { recursive: true, filter: (name) => !/node_modules|\/test\/|-threads|float/.test(name) });
-    await copyFile(path.resolve(import.meta.dirname, "../dist/take_home/en/package.html"), path.join(root, "package.html"));
-    await writeFile(path.join(root, "index.html"), "<!doctype html>");
-    const own = await visit(root);
-    try {
-        await own.on(desktop, "package.html", async (page) => {
-            await page.waitForTimeout(500);
-            assert.ok(await moves(page));
-        });
-    } finally {
-        await own.end();
-    }
 });
 
 test("readable and printable without JavaScript, in both languages", { timeout: 60_000 }, async () => {

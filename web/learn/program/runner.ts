@@ -23,7 +23,8 @@ export interface Hand {
     isDown: boolean;
 }
 
-const limit = 2000; // milliseconds that a frame, or the start, may take
+const limit = 2000; // milliseconds that a frame of a program, or its start, may take
+const limitOfWorker = 30_000; // that a worker may take to begin, on a busy machine
 const linesBefore = kit.split("\n").length;
 
 /** A program of a reader in a worker of its own, made of text; one that does not answer in time is ended. */
@@ -38,7 +39,7 @@ export class ProgramRunner {
     constructor(text: string, sets: string, private readonly answered: (answer: Answer) => void, private readonly failed: (problem: Problem | "too long") => void) {
         this.lines = text.split("\n").length;
         const values = new RegExp(`^let ${sets}\\b`, "m").test(text) ? `{${sets}: (value) => { ${sets} = value; }}` : "{}";
-        const whole = `${kit}\n${text}\n;self.lessonProgram = {step: typeof step === "function" ? step : null, draw: typeof draw === "function" ? draw : null, values: ${values}};\n${loop}`;
+        const whole = `${kit}postMessage({isBegun: true});\n${text}\n;self.lessonProgram = {step: typeof step === "function" ? step : null, draw: typeof draw === "function" ? draw : null, values: ${values}};\n${loop}`;
         const address = URL.createObjectURL(new Blob([whole], { type: "text/javascript" }));
         this.worker = new Worker(address);
         URL.revokeObjectURL(address);
@@ -47,7 +48,7 @@ export class ProgramRunner {
             event.preventDefault();
             this.fail({ line: this.lineOf(event.lineno), message: event.message.replace(/^Uncaught /, "") });
         };
-        this.watch();
+        this.watch(limitOfWorker);
     }
 
     /** True if a frame may be asked for. */
@@ -57,7 +58,7 @@ export class ProgramRunner {
 
     ask(steps: number, pointer: Hand, values: Record<string, number>): void {
         this.isAsked = true;
-        this.watch();
+        this.watch(limit);
         this.worker.postMessage({ steps, pointer: { ...pointer }, values });
     }
 
@@ -67,16 +68,17 @@ export class ProgramRunner {
         this.worker.terminate();
     }
 
-    private watch(): void {
+    private watch(time: number): void {
         clearTimeout(this.timer);
         this.timer = window.setTimeout(() => {
             this.end();
             this.failed("too long");
-        }, limit);
+        }, time);
     }
 
-    private hear(data: Partial<Answer> & { isReady?: true; error?: string; stack?: string }): void {
+    private hear(data: Partial<Answer> & { isBegun?: true; isReady?: true; error?: string; stack?: string }): void {
         clearTimeout(this.timer);
+        if (data.isBegun) return this.watch(limit);
         if (data.isReady) {
             this.isReady = true;
             return;
