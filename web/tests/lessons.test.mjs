@@ -91,6 +91,7 @@ describe("figures", () => {
             for (const [address, content] of made) {
                 assert.ok(content.trimEnd().split("\n").length <= 60, `${address}: ${content.trimEnd().split("\n").length} lines`);
                 assert.doesNotMatch(content, /https?:|\/\/ \{|<title>\{/, address);
+                if (!address.includes("package")) assert.match(content, /setInterval\(\(\) => \{\n    step\(1 \/ 60\);[^]*\}, 1000 \/ 60\);/, `${address} keeps its own time, whatever the screen's`);
                 assert.equal(/\bimport\b/.test(content), address.includes("package"), address);
             }
         }
