@@ -1,7 +1,8 @@
 // The lessons without a browser: every language, program, scene and file; claims.test.mjs tries what the texts claim.
 import assert from "node:assert/strict";
 import { describe, test } from "node:test";
-import { above, atRest, below, engine, everyFigure, files, isProgram, lesson, lessons, ownText, printed, program, programOf, scene, sceneText, textOf, texts, withValue, words } from "./claims/reader.mjs";
+import { ofProgram } from "../learn/program/svg.mjs";
+import { engine, everyFigure, files, isProgram, lessons, ownText, printed, program, programOf, scene, sceneText, textOf, texts, withValue, words } from "./claims/reader.mjs";
 
 const valuesOf = ({ low, high, value, step }) => [...new Set([low, value, high, low + Math.round((high - low) / step / 2) * step])];
 
@@ -95,6 +96,11 @@ describe("figures", () => {
                 assert.equal(/\bimport\b/.test(content), address.includes("package"), address);
             }
         }
+    });
+
+    test("a printed graph has the lines of the one on the page", () => {
+        const { commands } = program("iterations", "passes", 4).run(10), picture = ofProgram(commands.filter(([shape]) => shape === "graph"));
+        assert.equal(picture.match(/<polyline/g).length, 1 + 5, "the curve, and lines at 0.1, 1, 10, 100 and 1000 %");
     });
 
     test("all lessons are on one page, with a picture of each figure", () => {

@@ -99,7 +99,7 @@ test("installable: the manifest has names, icons and a start within the site", (
         assert.deepEqual(installabilityErrors.filter(({ errorId }) => errorId !== "in-incognito"), []);
     }));
 
-for (const where of ["", "learn/", "learn/#determinism"])
+for (const where of ["", "learn/", "learn/#box", "learn/#triangle", "learn/#determinism"])
     test(`nothing is wider than a phone: ${where || "gallery"}`, () =>
         site.on(phone, where, async (page) => {
             await page.waitForFunction(() => document.querySelectorAll(".card, .cover li, .live").length > 0);

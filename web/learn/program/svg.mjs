@@ -17,9 +17,12 @@ const commands = {
     arrow: (x, y, dx, dy, color) => (Math.hypot(dx, dy) < 2 ? "" : stroke([x, y, x + dx, y + dy], 3, color) + commands.disc(x + dx, y + dy, 4, color)),
     square: (x, y, size, color) => `<rect x="${rounded(x - size / 2)}" y="${rounded(y - size / 2)}" width="${rounded(size)}" height="${rounded(size)}" ${inked("fill", color)}/>`,
     text: (text, x, y, color) => words(text, x, y, color),
-    graph: (numbers, low, high, x, y, width, height, color, label) =>
-        (label ? words(label, x + width / 2, y - 11, "") + stroke([x, y, x, y + height, x + width, y + height], 1, "#ded4c0") : "") +
-        stroke(numbers.flatMap((value, i) => [x + (width * i) / Math.max(numbers.length - 1, 1), y + height * (1 - (Math.min(Math.max(value, low), high) - low) / (high - low))]), 2.2, color),
+    graph(numbers, low, high, x, y, width, height, color, label) {
+        const down = (value) => y + height * (1 - (Math.min(Math.max(value, low), high) - low) / (high - low));
+        const levels = high - low <= 10 ? Array.from({ length: Math.floor(high - low) + 1 }, (_, i) => low + i) : [low, high];
+        const frame = label ? words(label, x + width / 2, y - 11, "") + levels.map((level) => stroke([x, down(level), x + width, down(level)], 1, "#ded4c0")).join("") : "";
+        return frame + stroke(numbers.flatMap((value, i) => [x + (width * i) / Math.max(numbers.length - 1, 1), down(value)]), 2.2, color);
+    },
 };
 
 /** The commands of kit.js. */
