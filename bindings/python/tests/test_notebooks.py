@@ -8,9 +8,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import sinew
+from browser import Browser
+from conftest import pendulum
 from sinew.notebook import modules_of, web_folder
 
 notebooks = sorted((Path(__file__).resolve().parents[3] / "examples" / "notebooks").glob("*.ipynb"))
@@ -70,12 +73,55 @@ def test_an_animation_needs_no_other_file(page):
         sinew.open("rope").play(0)
 
 
-def test_an_animation_moves_in_a_browser(page):
-    browser = shutil.which("chromium")
-    if not browser:
+@pytest.fixture
+def browser(tmp_path):
+    if not shutil.which("chromium"):
         pytest.skip("there is no browser")
-    done = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
-                           "--disable-component-update", "--disable-sync", f"--user-data-dir={page.parent / 'profile'}",
-                           "--virtual-time-budget=4000", "--dump-dom", page.as_uri()], capture_output=True, text=True, timeout=120)
-    step = done.stdout.split('data-step="')[1].split('"')[0]
-    assert float(step) > 10 and "data-problem" not in done.stdout
+    with Browser(tmp_path / "profile") as browser:
+        yield browser
+
+
+def test_an_animation_moves_in_a_browser(page, browser):
+    tab = browser.visit(page.as_uri())
+    tab.wait_for("document.body.dataset.step > 10")
+    assert tab.value("document.body.dataset.problem") is None
+
+
+#: The picture of this scene is 200 pixels a metre, with the origin in the middle.
+hanging = {**pendulum, "view": {"size": [600, 600], "height": 3, "center": [0, 0]}, "world": {"gravity": [0, -9.81], "damping": 2}}
+
+
+def test_an_animation_is_dragged_in_a_browser(tmp_path, browser):
+    """The weight follows the pointer that pressed on it, and falls when it is let go."""
+    if web_folder() is None:
+        pytest.skip("the engine for the browser is not built: ./dev web")
+    sinew.open(hanging).play(60).save(tmp_path / "page.html")
+    tab = browser.visit((tmp_path / "page.html").as_uri())
+    place = "sinew.player.simulation.stateOf('bob/weight').position"
+    tab.wait_for(f"window.sinew && Math.hypot({place}[0], {place}[1] + 1) < 0.01")  # it hangs
+    tab.mouse("mouseMoved", 300, 500)
+    tab.mouse("mousePressed", 300, 500)
+    tab.mouse("mouseMoved", 420, 460)
+    tab.wait_for(f"sinew.player.state().isHolding && Math.hypot({place}[0] - 0.6, {place}[1] + 0.8) < 0.02")
+    tab.mouse("mouseReleased", 420, 460)
+    tab.wait_for(f"!sinew.player.state().isHolding && {place}[0] < 0.3")
+
+
+def test_an_animation_in_a_notebook_is_seen_and_dragged(tmp_path, browser):
+    """In the frame that a notebook shows, of a page that asks nobody for anything."""
+    if web_folder() is None:
+        pytest.skip("the engine for the browser is not built: ./dev web")
+    (tmp_path / "notebook.html").write_text("<!DOCTYPE html><style>body, iframe { margin: 0; }</style>" + sinew.open(hanging).play(60)._repr_html_())
+    tab = browser.visit((tmp_path / "notebook.html").as_uri())
+    there = slice(None), slice(380, 600)  # of a pendulum that hangs, nothing is on the right
+
+    def is_empty():
+        return len(np.unique(tab.picture()[:600][there].reshape(-1, 3), axis=0)) == 1
+
+    tab.wait_until(lambda: len(np.unique(tab.picture()[:600].reshape(-1, 3), axis=0)) > 3 and is_empty())
+    tab.mouse("mouseMoved", 300, 500)
+    tab.mouse("mousePressed", 300, 500)
+    tab.mouse("mouseMoved", 480, 340)
+    tab.wait_until(lambda: not is_empty())
+    tab.mouse("mouseReleased", 480, 340)
+    assert tab.asked_for == []
