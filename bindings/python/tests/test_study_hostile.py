@@ -18,7 +18,6 @@ import sinew
 from conftest import pendulum, swing, written
 from sinew.study import ResultsError, Study
 from sinew.study import page as study_page
-from sinew.study.results import uniform
 
 many = {**swing, "vary": {"world.damping": {"from": 0, "to": 1, "steps": 4000}}}
 
@@ -225,9 +224,3 @@ def test_a_disk_that_fills_is_told_and_the_study_goes_on(tmp_path):
         assert [row.number for row in Study(path, disk / "results").rows()] == list(range(1500))
     finally:
         subprocess.run(["umount", disk])
-
-
-def test_columns_of_parquet_have_one_type():
-    assert uniform([1, None, 2.5]) == [1.0, None, 2.5] and uniform([True, 2]) == [1, 2]
-    assert uniform([True, None]) == [True, None] and uniform([None, None]) == [None, None]
-    assert uniform(["a", 1, [2]]) == ["a", "1", "[2]"]

@@ -10,8 +10,8 @@ from ..errors import Error
 from .run import Bar, Study
 
 _about = """Runs the cases of a study file on all cores. Run again, it goes on where it was: kill it as you like. Results are in a
-folder beside the file, bridge.study/ for bridge.study.json: table.csv, table.parquet where pyarrow is, index.html with
-plots and pictures, results.sqlite with the state. docs/how/studies.md tells the format of the file."""
+folder beside the file, bridge.study/ for bridge.study.json: table.csv, table.parquet, index.html with plots and
+pictures, results.sqlite with the state. docs/how/studies.md tells the format of the file."""
 
 
 def _part(text: str) -> tuple[int, int]:

@@ -13,7 +13,9 @@ from pathlib import Path
 from typing import Any, Iterable, Iterator
 
 from ..errors import Error
+from . import parquet
 from .case import Row
+from .design import Variation
 from .spec import StudyFile
 
 
@@ -181,32 +183,33 @@ def write_csv(study: StudyFile, rows: Iterable[Row], path: Path) -> None:
         raise ResultsError(f"{path}: {problem.strerror}; the results are kept in results.sqlite") from None
 
 
-def write_parquet(study: StudyFile, rows: Iterable[Row], path: Path) -> bool:
-    """False where pyarrow is not installed."""
-    try:
-        import pyarrow
-        from pyarrow import parquet
-    except ImportError:
-        return False
+def write_parquet(study: StudyFile, rows: Iterable[Row], path: Path) -> None:
     names, lines = table(study, rows)
-    columns = list(zip(*lines)) or [()] * len(names)
+    varied = [kind_of(variation) for variation in [*study.design.vary.values(), *study.design.noise.values()]]
+    kinds = [int, int, *varied, *[float] * len(study.job.measure), str, str, float]
     partial = path.with_suffix(".partial")
     try:
-        parquet.write_table(pyarrow.table({name: uniform(column) for name, column in zip(names, columns)}), partial)
+        with open(partial, "wb") as file:
+            parquet.write(file, list(zip(names, kinds)), (_uniform(line, kinds) for line in lines))
         partial.replace(path)
     except OSError as problem:
         partial.unlink(missing_ok=True)
-        raise ResultsError(f"{path}: {problem}; the results are kept in results.sqlite") from None
-    return True
+        raise ResultsError(f"{path}: {problem.strerror}; the results are kept in results.sqlite") from None
 
 
-def uniform(column: Iterable[Any]) -> list[Any]:
-    """The values of a column as one type, which a column of Parquet has: numbers, or else texts."""
-    values = list(column)
-    kinds = {type(value) for value in values if value is not None}
-    if kinds <= {bool} or kinds <= {str}:
-        return values
-    if kinds <= {bool, int, float}:
-        number = float if float in kinds else int
-        return [None if value is None else number(value) for value in values]
-    return [value if value is None or isinstance(value, str) else json.dumps(value) for value in values]
+def kind_of(variation: Variation) -> type:
+    """The one type that a column of Parquet has: a number's, or else text."""
+    if not variation.values:
+        return int if variation.is_integer else float
+    kinds = {type(value) for value in variation.values if value is not None}
+    if kinds == {bool}:
+        return bool
+    if kinds <= {int, float}:
+        is_whole = kinds == {int} and all(-(2**63) <= value < 2**63 for value in variation.values if value is not None)
+        return int if is_whole else float
+    return str
+
+
+def _uniform(line: list[Any], kinds: list[type]) -> list[Any]:
+    return [value if value is None or type(value) is kind else json.dumps(value) if kind is str else kind(value)
+            for value, kind in zip(line, kinds)]
