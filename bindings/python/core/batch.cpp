@@ -12,6 +12,7 @@ namespace sinew::python {
 namespace {
 
 using Shared = std::shared_ptr<Simulation>;
+using Mask = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 
 class Batch {
   public:
@@ -24,8 +25,7 @@ class Batch {
 
     /// Steps the worlds of `mask` on `threads` threads and writes their columns into positions and velocities, arrays
     /// of (worlds, particles, dimension).
-    void step(std::uint32_t count, const py::array_t<bool>& mask, py::array positions, py::array velocities,
-              int threads) {
+    void step(std::uint32_t count, const Mask& mask, py::array positions, py::array velocities, int threads) {
         for (std::uint32_t taken = 0, next = std::min(count, 1u);;) {
             const auto start = std::chrono::steady_clock::now();
             step_all(next, mask, positions, velocities, threads);
@@ -40,7 +40,7 @@ class Batch {
     }
 
     /// Returns the worlds of `mask` to their start.
-    void restart(const py::array_t<bool>& mask, int threads) {
+    void restart(const Mask& mask, int threads) {
         const auto* const is_on = mask.data();
         each(threads, [&](int world) {
             return is_on[world] ? sinew_world_restart(worlds_[std::size_t(world)]->handle()) : SINEW_OK;
@@ -60,8 +60,7 @@ class Batch {
     /// Longest time that steps run without a look at Python's signals.
     static constexpr std::chrono::steady_clock::duration attention = std::chrono::milliseconds(50);
 
-    void step_all(std::uint32_t count, const py::array_t<bool>& mask, py::array& positions, py::array& velocities,
-                  int threads) {
+    void step_all(std::uint32_t count, const Mask& mask, py::array& positions, py::array& velocities, int threads) {
         const auto* const is_on = mask.data();
         auto* const places = static_cast<char*>(positions.mutable_data());
         auto* const speeds = static_cast<char*>(velocities.mutable_data());

@@ -46,6 +46,15 @@ def test_reset_returns_the_masked_worlds_to_their_start():
     assert np.array_equal(worlds.positions, moved)
 
 
+def test_a_mask_may_lie_in_any_order_in_memory():
+    whole = np.array([True, False, False, False, True, False, False, True])
+    for mask in (whole[::2], whole[4:][::-1], np.broadcast_to(np.True_, 4), np.array([whole, whole]).T[:4, 1]):
+        worlds = sinew.batch("rope", 4)
+        worlds.step()
+        worlds.reset(mask)
+        assert [world.steps for world in worlds.worlds] == [0 if is_on else 1 for is_on in mask]
+
+
 def test_forces_and_pins_act_world_by_world():
     worlds = sinew.batch({**pendulum, "world": {"gravity": [0, 0]}}, 3)
     forces = np.array([[0, 1], [0, 2], [0, -3]])
