@@ -58,6 +58,7 @@ class Browser:
         for domain in ("Page", "Runtime", "Network"):
             tab.call(f"{domain}.enable")
         tab.call("Page.navigate", url=address)
+        tab.wait_for("location.protocol !== 'about:' && document.readyState === 'complete'")
         return tab
 
     def __enter__(self):

@@ -3,12 +3,16 @@
 import json
 import os
 import shutil
+import signal
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 root = Path(__file__).resolve().parents[3]
+
+# A shell starts what runs in the background with SIGINT ignored, and so would every test of Ctrl-C and its processes.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 settings.register_profile("sinew", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow],
                           max_examples=int(os.environ.get("SINEW_EXAMPLES", "30")))

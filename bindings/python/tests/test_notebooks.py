@@ -111,7 +111,7 @@ def test_an_animation_in_a_notebook_is_seen_and_dragged(tmp_path, browser):
     """In the frame that a notebook shows, of a page that asks nobody for anything."""
     if web_folder() is None:
         pytest.skip("the engine for the browser is not built: ./dev web")
-    (tmp_path / "notebook.html").write_text("<!DOCTYPE html><style>body, iframe { margin: 0; }</style>" + sinew.open(hanging).play(60)._repr_html_())
+    (tmp_path / "notebook.html").write_text("<!DOCTYPE html><style>body, iframe { margin: 0; }</style>" + sinew.open(hanging, {"figures.bob.particles.weight.at": [0, -1]}).play(60)._repr_html_())
     tab = browser.visit((tmp_path / "notebook.html").as_uri())
     there = slice(None), slice(380, 600)  # of a pendulum that hangs, nothing is on the right
 
