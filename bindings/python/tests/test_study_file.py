@@ -37,6 +37,8 @@ wrong = [
     ({"best": {"lowest": "height", "highest": "energy"}}, "expected {", None), ({"vary": {"mode": ["physical\0"]}}, "zero", None),
     ({"set": {"solver": {"substeps": 8, "rate": "fast"}}}, "rate", None), ({"vary": {"world.damping": {"from": 0, "to": 1, "steps": 1.5}}}, "whole number", None),
     ('{"sinew_study": 1, "scene": "rope", "vary": {}, "measure": {}, "cases": 1e999}', "inf is out of range", 1),
+    ({"vary": {f"world.gravity.{i}": {"from": 0, "to": 1, "steps": 10**7} for i in range(3)}}, "1,000,000,000,000,000,000,000 cases are more", None),
+    ({"vary": {"world.damping": [0]}, "repetitions": 10**8}, "out of range", None), ({"measure": {"\ud800": "energy"}}, "half of a character", None),
     ({"repetitions": 0}, "out of range", None), ({"seed": 1.5}, "whole number", None), ({"set": {"world.dampin": 1}}, "dampin", None),
 ]
 

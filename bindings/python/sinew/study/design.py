@@ -62,8 +62,12 @@ class Design:
             return max((len(v.values) for v in self.vary.values()), default=1)
         return self.cases
 
-    def __len__(self) -> int:
+    def total(self) -> int:
+        """Number of cases, of any size: len() has 63 bits."""
         return self.points() * self.repetitions
+
+    def __len__(self) -> int:
+        return self.total()
 
     def values(self) -> Cases:
         return Cases(self)

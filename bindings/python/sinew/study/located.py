@@ -83,9 +83,12 @@ class Reader:
             raise Syntax("expected a value", start)
         self.at = match.end()
         try:
-            return Node(json.loads(match[0]), start, self.at, {})
+            value = json.loads(match[0])
         except ValueError:
             raise Syntax(f"{match[0]} is no value of JSON", start) from None
+        if isinstance(value, str) and any("\ud800" <= letter <= "\udfff" for letter in value):
+            raise Syntax(f"{match[0]} has half of a character", start)
+        return Node(value, start, self.at, {})
 
     def object(self, start: int, depth: int) -> Node:
         values: dict[str, Node] = {}

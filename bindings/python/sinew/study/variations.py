@@ -34,8 +34,8 @@ class Variations(Pieces):
         if sample == "list" and len({len(v.values) for v in vary.values()}) > 1:
             lengths = ", ".join(f"{path} {len(v.values)}" for path, v in vary.items())
             self.mistakes.at(given["vary"], "the lists of a sample \"list\" are of equal length", "/vary", f"these have: {lengths}")
-        elif len(design) > max_cases and "vary" in given:
-            self.mistakes.at(given["vary"], f"{len(design):,} cases are more than {max_cases:,}", "/vary",
+        elif design.total() > max_cases and "vary" in given:
+            self.mistakes.at(given["vary"], f"{design.total():,} cases are more than {max_cases:,}", "/vary",
                              'fewer steps, or a "sample" with a number of cases')
         return design
 
