@@ -19,7 +19,8 @@ def processes(count: int) -> Iterator[ProcessPoolExecutor]:
     try:
         yield pool
     except BaseException:
-        pool.shutdown(wait=False, cancel_futures=True)
+        # The pool fails its futures when it finds its processes gone. One cancelled meanwhile, also by its user, would be an
+        # error in a thread of the pool, before Python 3.12.
         for process in set(multiprocessing.active_children()) - others:
             process.kill()
         raise

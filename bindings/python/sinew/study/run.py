@@ -162,7 +162,7 @@ class Study:
         while left:
             try:
                 with processes(workers) as pool:
-                    for rows in self._submit(sorted(left - suspects), pool, workers):
+                    for rows in self._submit(sorted(left - suspects), pool, workers, cancels=False):
                         left -= {row.number for row in rows}
                         yield rows
             except BrokenProcessPool:
@@ -180,8 +180,9 @@ class Study:
         except BrokenProcessPool:
             return Row(number, {}, "", "its process ended, perhaps for want of memory", 0)
 
-    def _submit(self, pending: Iterable[int], executor: Executor, workers: int) -> Iterator[list[Row]]:
-        """Submits blocks of cases, a few a worker at a time, and yields rows as they come."""
+    def _submit(self, pending: Iterable[int], executor: Executor, workers: int, cancels: bool = True) -> Iterator[list[Row]]:
+        """Submits blocks of cases, a few a worker at a time, and yields rows as they come. Cancels those left at an early end,
+        unless the executor ends, too."""
         cases, queue = self.file.design.values(), iter(pending)
         futures: dict[Future[list[Row]], list[int]] = {}
         self._running: set[int] = set()
@@ -206,7 +207,7 @@ class Study:
                     took = sum(row.took for row in rows) / len(rows)
                     block = max(1, min(_max_block, int(_block_seconds / max(took, 1e-6))))
         finally:
-            for future in futures:
+            for future in futures if cancels else ():
                 future.cancel()
 
 
