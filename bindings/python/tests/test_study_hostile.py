@@ -83,17 +83,45 @@ def word(sim): return "high"
 def pair(sim): return numpy.zeros(2)
 def nan(sim): return float("nan") if sim.scene["world"]["damping"] == 1 else sim.energy
 def nothing(sim): return None
+def half(sim): raise ValueError("\\ud800" + "x" * 5000)
+class Dumb(Exception):
+    def __str__(self): raise KeyError
+def dumb(sim): raise Dumb
+def deaf(sim):
+    while True:
+        try:
+            while True: pass
+        except Exception: pass
+def stubborn(sim):
+    for attempt in range(2):
+        try:
+            while True: pass
+        except BaseException:
+            if attempt: raise
 """
 
 
-@pytest.mark.parametrize("name, reason", [("leave", "SystemExit"), ("never", "longer than 0.3 s"), ("word", "ValueError"), ("pair", "TypeError")])
+@pytest.mark.parametrize("name, reason", [("leave", "SystemExit"), ("never", "longer than 0.3 s"), ("word", "ValueError"), ("pair", "TypeError"),
+                                          ("half", "ValueError: \\ud800xxx"), ("dumb", "Dumb: without a text"),
+                                          ("deaf", "longer than 0.3 s"), ("stubborn", "longer than 0.3 s")])
 @pytest.mark.parametrize("workers", [1, 2])
 def test_a_function_fails_its_case_alone(tmp_path, name, reason, workers):
     (tmp_path / "mine.py").write_text(functions)
-    study = Study(written(tmp_path, {**swing, "vary": {"world.damping": [0, 1]}, "case_limit": 0.3 if name == "never" else 60,
+    study = Study(written(tmp_path, {**swing, "vary": {"world.damping": [0, 1]}, "case_limit": 0.3 if "longer" in reason else 60,
                                      "measure": {"m": {"function": f"mine.py:{name}"}}}))
     assert study.run(workers=workers) == 2
     assert all(reason in row["failed"] for row in table(study))
+
+
+@pytest.mark.parametrize("name", [b"b\xfe", "höhe 🦆".encode()])
+def test_a_folder_has_any_name(tmp_path, name):
+    folder = tmp_path / os.fsdecode(name)
+    folder.mkdir()
+    path = written(folder, {**swing, "vary": {"world.damping": [0, 1]}}, os.fsdecode(name + b".study.json"))
+    for encoding in ("utf-8", "ascii"):
+        done = subprocess.run([sys.executable, "-m", "sinew", "study", path, "-j", "1"], capture_output=True, env={**os.environ, "PYTHONIOENCODING": encoding})
+        assert done.returncode == 0 and not done.stderr and done.stdout.startswith(b"2 cases, 0 failed: ")
+    assert "case 1" in (Study(path).folder / "index.html").read_text()
 
 
 def test_a_measure_may_be_nothing_or_no_number(tmp_path):

@@ -15,6 +15,9 @@ from ..simulation import Simulation
 from .measures import Measures, Quantity
 
 
+_longest_reason = 1000  #: characters
+
+
 class Job(NamedTuple):
     """All that cases of a study have in common; small, and picklable."""
 
@@ -39,8 +42,8 @@ class Row(NamedTuple):
     took: float  #: real seconds
 
 
-class Failed(Exception):
-    pass
+class Failed(BaseException):
+    """No Exception, which a function of a user may catch and go on."""
 
 
 def simulation_of(job: Job, values: dict[str, Any], images: list[tuple[str, bytes]] | None = None) -> Simulation:
@@ -75,7 +78,7 @@ def within(seconds: float) -> Iterator[None]:
         raise Failed(f"it took longer than {seconds:g} s")
 
     before = signal.signal(signal.SIGALRM, late)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    signal.setitimer(signal.ITIMER_REAL, seconds, 1)  # again each second, where a function has caught the first
     try:
         yield
     finally:
@@ -108,8 +111,20 @@ def _run(job: Job, number: int, values: dict[str, Any]) -> Row:
     except KeyboardInterrupt:
         raise
     except BaseException as problem:  # of a measure in Python, above all, also sys.exit(): the other cases go on
-        reason = f"{type(problem).__name__}: {problem}"
-    return Row(number, measures, hash_, reason, time.perf_counter() - start)
+        reason = f"{type(problem).__name__}: {_text_of(problem)}"
+    return Row(number, measures, hash_, _storable(reason), time.perf_counter() - start)
+
+
+def _text_of(problem: BaseException) -> str:
+    try:
+        return str(problem)
+    except Exception as another:
+        return f"without a text: {type(another).__name__}"
+
+
+def _storable(reason: str) -> str:
+    """Text that tables hold: of a bounded length, and without halves of characters, which names of files may have."""
+    return reason[:_longest_reason].encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def advance(job: Job, simulation: Simulation, measuring: Measures, deadline: float) -> None:

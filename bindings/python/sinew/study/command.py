@@ -59,15 +59,15 @@ def main(arguments: Sequence[str]) -> int:
 
 def _run(study: Study, options: argparse.Namespace) -> int:
     if options.check:
-        print(f"{len(study):,} cases")
+        _tell(f"{len(study):,} cases")
         return 0
     if options.verify is not None:
         wrong = study.verify(options.verify)
-        print(f"other hashes: cases {', '.join(map(str, wrong))}" if wrong else "the same hashes")
+        _tell(f"other hashes: cases {', '.join(map(str, wrong))}" if wrong else "the same hashes")
         return 1 if wrong else 0
     if options.collect:
         missing = study.collect()
-        print(f"{len(study) - missing:,} of {len(study):,} cases: {study.folder / 'index.html'}")
+        _tell(f"{len(study) - missing:,} of {len(study):,} cases: {study.folder / 'index.html'}")
         return 0
     bar = Bar()
     try:
@@ -75,5 +75,11 @@ def _run(study: Study, options: argparse.Namespace) -> int:
     finally:
         bar.end()
     where = study._base(options.part) if options.part else study.folder / "index.html"
-    print(f"{len(study):,} cases, {failed:,} failed: {where}")
+    _tell(f"{len(study):,} cases, {failed:,} failed: {where}")
     return 0
+
+
+def _tell(text: str) -> None:
+    """A line of output; names of files may have characters that the terminal has not."""
+    encoding = sys.stdout.encoding or "utf-8"
+    print(text.encode(encoding, "backslashreplace").decode(encoding))

@@ -50,7 +50,7 @@ def write_page(study: StudyFile, results: Results, folder: Path) -> None:
             parts.append(f"<h2>{title}</h2>" + "".join(_figure(study, row, links[row.number], folder) for row in rows))
     text = (f"<!DOCTYPE html><meta charset='utf-8'><title>{html.escape(study.path.name)}</title><style>{_style}</style>"
             + "\n".join(parts))
-    (folder / "index.html").write_text(text, encoding="utf-8")
+    (folder / "index.html").write_text(text, encoding="utf-8", errors="replace")
 
 
 def choose(study: StudyFile, rows: Results, count: int) -> Chosen:
