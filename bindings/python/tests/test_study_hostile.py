@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import os
+import pickle
 import shutil
 import signal
 import subprocess
@@ -122,6 +123,15 @@ def test_a_folder_has_any_name(tmp_path, name):
         done = subprocess.run([sys.executable, "-m", "sinew", "study", path, "-j", "1"], capture_output=True, env={**os.environ, "PYTHONIOENCODING": encoding})
         assert done.returncode == 0 and not done.stderr and done.stdout.startswith(b"2 cases, 0 failed: ")
     assert "case 1" in (Study(path).folder / "index.html").read_text()
+
+
+def test_a_process_is_sent_no_points(tmp_path):
+    """A million points would go along with every picture."""
+    path = written(tmp_path, {**swing, "sample": "random", "cases": 10**6, "vary": {"world.damping": {"from": 0, "to": 1}}})
+    design = Study(path).file.design
+    again = pickle.loads(pickle.dumps(design))
+    assert design.values()[999_999] == again.values()[999_999] and design.values() is design.values()
+    assert len(pickle.dumps(design)) < 1000
 
 
 def test_a_measure_may_be_nothing_or_no_number(tmp_path):

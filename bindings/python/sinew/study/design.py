@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from functools import cached_property
 from typing import Any, Mapping, Sequence
 
 import numpy as np
@@ -70,7 +71,15 @@ class Design:
         return self.total()
 
     def values(self) -> Cases:
+        return self._cases
+
+    @cached_property
+    def _cases(self) -> Cases:
         return Cases(self)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields alone: a process draws the points again, or a million of them would go along with each picture."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
 
 
 class Cases:
