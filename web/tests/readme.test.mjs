@@ -16,7 +16,7 @@ before(async () => {
     await cp(packageFolder, path.join(root, "sinew"), { recursive: true, filter: (name) => !/node_modules|\/test(\/|$)|-threads|float/.test(name) });
     for (const [i, { code }] of examples.entries()) {
         const canvas = '<canvas width="640" height="480"></canvas>';
-        const map = '<script type="importmap">{"imports": {"sinew": "./sinew/index.js"}}</script>';
+        const map = '<script type="importmap">{"imports": {"sinew": "./sinew/index.js", "sinew/inline": "./sinew/sinew-inline.js"}}</script>';
         await writeFile(path.join(root, `${i}.html`), `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">${canvas}${map}<script type="module">${code}\nglobalThis.isDone = true;</script>`);
     }
     site = { ...(await visit(root)), root };
