@@ -194,5 +194,5 @@ async function weighed(site, address) {
     return site.server.sent.filter(({ name }) => !name.endsWith(".png")).reduce((sum, { bytes }) => sum + bytes, 0) / 1024;
 }
 
-/** The goal is 600; the module alone weighs 725. */
-const most = 850, mostOfGallery = 900;
+/** The goal is 600; the module alone weighs 755. docs/measured/web.md tells the rest. */
+const most = 850, mostOfGallery = 937;
