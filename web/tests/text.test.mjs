@@ -146,7 +146,7 @@ test("the scene is saved as files of other programs; the module for them is load
         assert.equal(asked.filter((name) => name.includes("export")).length, 1);
     }));
 
-test("an OBJ model is opened as cloth; what only the command reads is told", { timeout: 60_000 }, () =>
+test("an OBJ model is opened as cloth; a file without a shape or a face is told, and the scene stays", { timeout: 60_000 }, () =>
     site.on(desktop, "#scene=rope", async (page) => {
         await playing(page);
         const open = async (name, text) => {
@@ -159,9 +159,10 @@ test("an OBJ model is opened as cloth; what only the command reads is told", { t
         await page.waitForFunction(() => window.sinew.opened.name === "sheet" && window.sinew.stage.player.state().step > 10, null, { timeout: 30_000 });
         assert.equal(await page.evaluate(() => window.sinew.stage.player.simulation.particleCount), 9);
         await open("drawing.svg", "<svg/>");
-        await page.locator("#message.shown", { hasText: "sinew import drawing.svg" }).waitFor();
+        await page.locator("#message.shown", { hasText: "no shape in it" }).waitFor();
         await open("empty.obj", "# nothing");
-        await page.locator("#message.shown", { hasText: "no vertices" }).waitFor();
+        await page.locator("#message.shown", { hasText: "no face in it" }).waitFor();
+        assert.equal(await page.evaluate(() => window.sinew.opened.name), "sheet");
     }));
 
 test("share copies an address that another browser opens as the same scene", () =>
