@@ -27,7 +27,7 @@ test("every way to name a module loads it", async () => {
     const module = await WebAssembly.compile(moduleBytes);
     for (const source of [undefined, moduleBytes, moduleBytes.buffer.slice(moduleBytes.byteOffset, moduleBytes.byteOffset + moduleBytes.length),
         module, new URL("../sinew.wasm", import.meta.url)])
-        assert.equal((await load(source)).abi, 2);
+        assert.equal((await load(source)).abi, 3);
 });
 
 test("two engines share nothing", async () => {
