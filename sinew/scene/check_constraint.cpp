@@ -57,6 +57,11 @@ class ConstraintCheck {
                 place, "this drive never moves: it has neither a speed nor keys",
                 "a \"speed\" turns or winds for ever; \"keys\" such as {\"at\": 2, \"to\": 1} say where "
                 "the limit is at which time");
+        if (drive.speed && !drive.has_targets() && section.low && section.high && *section.low < *section.high)
+            document_.warn(place + "/speed",
+                           "the motor moves both limits, \"low\" and \"high\", along: they never stop it",
+                           "limits that stop a motor belong to a second constraint between the same particles, and the "
+                           "motor has a max_force");
         if (drive.has_targets() && stands)
             document_.error(place + "/speed", "with a speed of 0 the keys are never reached",
                             "leave it out to be at each key in time");

@@ -149,6 +149,18 @@ TEST(Names, OfCollidersAndOfWhatIsStruckAreTold) {
                      "did you mean \"line\"?"));
 }
 
+TEST(Motor, ThatCarriesARangeAlongIsWarnedOf) {
+    const auto motor = [](const std::string& limits) {
+        return said_of(three(R"({"kind": "angle", "between": ["a", "b", "c"], "max_force": 5, "drive": {"speed": 60})" +
+                             limits + "}"))
+            .warnings;
+    };
+    EXPECT_TRUE(
+        says(motor(R"(, "low": -35, "high": 35)"), "they never stop it at /figures/0/constraints/0/drive/speed"));
+    EXPECT_EQ(motor(""), "");
+    EXPECT_EQ(motor(R"(, "low": -35)"), "");
+}
+
 TEST(BreakingStrain, OfARigidLinkIsWarnedOf) {
     const auto rope = [](const std::string& more) {
         return said_of(R"({"sinew": 1, "figures": [{"prefab": "rope", "breaking_strain": 0.01)" + more + "}]}");
