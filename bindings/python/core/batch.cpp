@@ -65,7 +65,7 @@ class Batch {
         auto* const places = static_cast<char*>(positions.mutable_data());
         auto* const speeds = static_cast<char*>(velocities.mutable_data());
         const auto bytes = std::size_t(positions.nbytes()) / worlds_.size();
-        const auto step_one = [&](int world) {
+        each(threads, [&](int world) {
             if (!is_on[world]) return SINEW_OK;
             const auto handle = worlds_[std::size_t(world)]->handle();
             if (count > 0)
@@ -73,22 +73,11 @@ class Batch {
             if (const auto status = gather(handle, SINEW_POSITION, places + bytes * std::size_t(world), bytes))
                 return status;
             return gather(handle, SINEW_VELOCITY, speeds + bytes * std::size_t(world), bytes);
-        };
-        if (count > 0) is_backwards_ = !is_backwards_;
-        each(threads, step_one, count > 0 && is_backwards_);
-    }
-
-    /// The part as far from the end of its thread's share as this one is from the begin.
-    int mirrored(int part, int threads) const {
-        const auto count = std::int64_t(worlds_.size()), shares = std::min(std::int64_t(threads), count);
-        const auto share = (std::int64_t(part + 1) * shares - 1) / count;
-        return int(count * share / shares + count * (share + 1) / shares - 1 - part);
+        });
     }
 
     std::vector<Shared> worlds_;
     std::uint32_t particles_;
-    /// Every other step goes through the worlds backwards: those stepped last are still in a thread's cache.
-    bool is_backwards_ = true;
     std::vector<Shared> locked_; ///< each world once, in an order that any two batches share: no deadlock
 
     sinew_status gather(sinew_world handle, sinew_column column, char* to, std::size_t bytes) const {
@@ -116,16 +105,13 @@ class Batch {
     }
 
     /// Calls work(world) for all worlds on several threads, without the GIL, and raises the first failure.
-    template <class Work> void each(int threads, const Work& work, bool is_backwards = false) {
+    template <class Work> void each(int threads, const Work& work) {
         std::vector<std::unique_ptr<Hold>> holds;
         for (const auto& world : locked_) holds.push_back(std::make_unique<Hold>(world->mutex()));
         std::vector<sinew_status> statuses(worlds_.size(), SINEW_OK);
         {
             const py::gil_scoped_release others;
-            Workers::run(threads, int(worlds_.size()), [&](int part) {
-                const int world = is_backwards ? mirrored(part, threads) : part;
-                statuses[std::size_t(world)] = work(world);
-            });
+            Workers::run(threads, int(worlds_.size()), [&](int world) { statuses[std::size_t(world)] = work(world); });
         }
         for (const auto& world : locked_) world->refresh();
         const auto failed =
