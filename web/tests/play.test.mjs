@@ -195,4 +195,4 @@ async function weighed(site, address) {
 }
 
 /** The goal is 600; the module alone weighs 755. docs/measured/web.md tells the rest. */
-const most = 850, mostOfGallery = 937;
+const most = 850, mostOfGallery = 900;
