@@ -10,8 +10,8 @@ from ..errors import Error
 from .run import Bar, Study
 
 _about = """Runs the cases of a study file on all cores. Run again, it goes on where it was: kill it as you like. Results are in a
-folder beside the file, bridge.study/ for bridge.study.json: table.csv, table.parquet, index.html with plots and
-pictures, results.sqlite with the state. docs/how/studies.md tells the format of the file."""
+folder beside the file, bridge.study/ for bridge.study.json: table.csv, table.parquet where pyarrow is, index.html with
+plots and pictures, results.sqlite with the state. docs/how/studies.md tells the format of the file."""
 
 
 def _part(text: str) -> tuple[int, int]:
@@ -39,13 +39,17 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--check", action="store_true", help="only check the file, and tell the number of cases")
     parser.add_argument("--part", type=_part, metavar="I/N", help="run the I-th of N parts, into a file of its own")
     parser.add_argument("--collect", action="store_true", help="put the parts together")
+    parser.add_argument("--parquet", action="store_true", default=None, help="refuse to run where table.parquet cannot be written")
     parser.add_argument("--verify", type=_count, metavar="N", help="run N of the cases again, and compare their hashes")
     return parser
 
 
 def main(arguments: Sequence[str]) -> int:
     """Exit code: 0 done, 1 the input was bad or a hash differs, 2 wrong usage, 130 interrupted."""
-    options = _parser().parse_args(arguments)
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    if options.parquet and (options.check or options.part or options.verify):
+        parser.error("--parquet: a table is written by a whole run and by --collect")
     try:
         return _run(Study(options.file, options.output), options)
     except (Error, OSError) as problem:
@@ -66,12 +70,12 @@ def _run(study: Study, options: argparse.Namespace) -> int:
         _tell(f"other hashes: cases {', '.join(map(str, wrong))}" if wrong else "the same hashes")
         return 1 if wrong else 0
     if options.collect:
-        missing = study.collect()
+        missing = study.collect(options.parquet)
         _tell(f"{len(study) - missing:,} of {len(study):,} cases: {study.folder / 'index.html'}")
         return 0
     bar = Bar()
     try:
-        failed = study.run(workers=options.workers, part=options.part, fresh=options.fresh, progress=bar)
+        failed = study.run(workers=options.workers, part=options.part, fresh=options.fresh, progress=bar, parquet=options.parquet)
     finally:
         bar.end()
     where = study._base(options.part) if options.part else study.folder / "index.html"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import csv
 import fcntl
+import itertools
 import json
 import os
 import sqlite3
@@ -13,10 +14,12 @@ from pathlib import Path
 from typing import Any, Iterable, Iterator
 
 from ..errors import Error
-from . import parquet
 from .case import Row
 from .design import Variation
 from .spec import StudyFile
+
+
+_rows_of_group = 1 << 16  #: of a file of Parquet
 
 
 class ResultsError(Error):
@@ -171,30 +174,54 @@ def _cell(value: Any) -> Any:
 
 def write_csv(study: StudyFile, rows: Iterable[Row], path: Path) -> None:
     names, lines = table(study, rows)
-    partial = path.with_suffix(".partial")
+    with _replacing(path) as partial, open(partial, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(names)
+        writer.writerows(lines)
+
+
+def has_pyarrow() -> bool:
     try:
-        with open(partial, "w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(names)
-            writer.writerows(lines)
-        partial.replace(path)
-    except OSError as problem:
-        partial.unlink(missing_ok=True)
-        raise ResultsError(f"{path}: {problem.strerror}; the results are kept in results.sqlite") from None
+        import pyarrow.parquet
+    except ImportError:
+        return False
+    return True
+
+
+def check_pyarrow() -> None:
+    """Raises ResultsError where Parquet cannot be written."""
+    if not has_pyarrow():
+        raise ResultsError("Parquet needs pyarrow, which this Python has not: install it, or read table.csv or results.sqlite, "
+                           "which are written without it")
 
 
 def write_parquet(study: StudyFile, rows: Iterable[Row], path: Path) -> None:
+    """The table by pyarrow, a group of rows at a time."""
+    import pyarrow
+    import pyarrow.parquet
+
     names, lines = table(study, rows)
     varied = [kind_of(variation) for variation in [*study.design.vary.values(), *study.design.noise.values()]]
     kinds = [int, int, *varied, *[float] * len(study.job.measure), str, str, float]
+    types = {bool: pyarrow.bool_(), int: pyarrow.int64(), float: pyarrow.float64(), str: pyarrow.string()}
+    schema = pyarrow.schema([pyarrow.field(name, types[kind]) for name, kind in zip(names, kinds)])
+    with _replacing(path) as partial, open(partial, "wb") as file, pyarrow.parquet.ParquetWriter(file, schema) as writer:
+        while group := [_uniform(line, kinds) for line in itertools.islice(lines, _rows_of_group)]:
+            columns = [pyarrow.array(list(column), types[kind]) for column, kind in zip(zip(*group), kinds)]
+            writer.write_table(pyarrow.Table.from_arrays(columns, schema=schema))
+
+
+@contextlib.contextmanager
+def _replacing(path: Path) -> Iterator[Path]:
+    """A file to write, which takes the place of another one when it is whole."""
     partial = path.with_suffix(".partial")
     try:
-        with open(partial, "wb") as file:
-            parquet.write(file, list(zip(names, kinds)), (_uniform(line, kinds) for line in lines))
+        yield partial
         partial.replace(path)
     except OSError as problem:
+        raise ResultsError(f"{path}: {problem.strerror or problem}; the results are kept in results.sqlite") from None
+    finally:
         partial.unlink(missing_ok=True)
-        raise ResultsError(f"{path}: {problem.strerror}; the results are kept in results.sqlite") from None
 
 
 def kind_of(variation: Variation) -> type:

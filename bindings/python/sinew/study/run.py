@@ -18,7 +18,7 @@ from .case import Row, run_cases
 from .file import read
 from .page import write_page
 from .processes import processes
-from .results import Results, ResultsError, rows_in, write_csv, write_parquet
+from .results import Results, ResultsError, check_pyarrow, has_pyarrow, rows_in, write_csv, write_parquet
 from .spec import StudyFile
 
 #: Real seconds that a block of cases should take: long beside the way to another process, short beside what kill -9 loses.
@@ -63,12 +63,15 @@ class Study:
             return simulation.scene
 
     def run(self, executor: Executor | None = None, *, workers: int | None = None, part: tuple[int, int] | None = None,
-            fresh: bool = False, progress: Progress | None = None) -> int:
+            fresh: bool = False, progress: Progress | None = None, parquet: bool | None = None) -> int:
         """Runs the cases that have no row yet, and writes the tables and the page. Returns the number of failed cases.
 
         ``part`` (i, n) runs the i-th of n parts only, i from 1, into a file of its own: see ``collect``. ``workers`` is the
-        number of processes here, or those of the executor.
+        number of processes here, or those of the executor. ``parquet`` True writes table.parquet beside table.csv, and raises
+        ResultsError before the first case where pyarrow is missing; None writes it where pyarrow is there.
         """
+        if parquet:
+            check_pyarrow()
         if part is not None and not 1 <= part[0] <= part[1]:
             raise ArgumentError(f"a part is (i, n) with i from 1 to n, not {part}")
         if workers is not None and workers < 1:
@@ -86,18 +89,20 @@ class Study:
                 if progress:
                     progress(before, total, failed)
             if part is None:
-                self._write(results)
+                self._write(results, parquet)
             return failed
 
-    def collect(self) -> int:
-        """Puts the parts together, and writes the tables and the page. Returns the number of cases without a row."""
+    def collect(self, parquet: bool | None = None) -> int:
+        """Puts the parts together, and writes the tables and the page, as ``run`` does. Returns the number of cases without a row."""
+        if parquet:
+            check_pyarrow()
         parts = sorted(self.folder.glob("part-*.sqlite"))
         if not parts:
             raise ResultsError(f"{self.folder} has no part-*.sqlite; --part I/N makes them")
         with Results(self.file, self._base(None)) as results:
             for part in parts:
                 results.merge(part)
-            self._write(results)
+            self._write(results, parquet)
             return len(self) - results.count()[0]
 
     def verify(self, sample: int = 20, seed: int = 1, executor: Executor | None = None) -> list[int]:
@@ -133,9 +138,12 @@ class Study:
     def _base(self, part: tuple[int, int] | None) -> Path:
         return self.folder / (f"part-{part[0]}-of-{part[1]}.sqlite" if part else "results.sqlite")
 
-    def _write(self, results: Results) -> None:
+    def _write(self, results: Results, parquet: bool | None) -> None:
         write_csv(self.file, results, self.folder / "table.csv")
-        write_parquet(self.file, results, self.folder / "table.parquet")
+        if parquet or (parquet is None and has_pyarrow()):
+            write_parquet(self.file, results, self.folder / "table.parquet")
+        else:
+            (self.folder / "table.parquet").unlink(missing_ok=True)  # of an earlier run, with other rows
         try:
             write_page(self.file, results, self.folder)
         except (OSError, Error) as problem:
