@@ -72,6 +72,8 @@ class Batch:
     whatever is not here; call ``refresh`` after editing them. Particles that tearing adds are not in the arrays.
     """
 
+    __slots__ = ("worlds", "values", "threads", "_positions", "_velocities", "_core", "_all", "_ids", "__weakref__")
+
     def __init__(self, worlds: Sequence[Simulation], values: Mapping[str, npt.NDArray[Any]] | None = None, threads: int = 0):
         if not worlds:
             raise ArgumentError("a batch has at least one world")

@@ -16,6 +16,8 @@ from .parts import Particle
 class Edits(Names):
     """Adding, removing, grabbing and cutting."""
 
+    __slots__ = ()
+
     def add_particle(self, position: npt.ArrayLike, velocity: npt.ArrayLike | None = None, *, mass: float = 1,
                      radius: float = 0) -> Particle:
         """Adds a particle at a position with a velocity, (dimension,) each; ``mass`` may be infinite: immovable. Raises

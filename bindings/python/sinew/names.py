@@ -24,6 +24,8 @@ AnyParticle = Union[str, int, Particle]
 class Names(State):
     """Figures, particles and constraints by name."""
 
+    __slots__ = ()
+
     @property
     def figures(self) -> dict[str, Figure]:
         """The figures by name."""

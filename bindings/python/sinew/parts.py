@@ -30,6 +30,8 @@ def points(values: npt.ArrayLike, count: int, dimension: int, what: str) -> npt.
 class Pin:
     """Holds a particle: where it is, or at a target that moves. See ``Particle.pin``."""
 
+    __slots__ = ("_simulation", "_number")
+
     def __init__(self, simulation: Simulation, number: int):
         self._simulation, self._number = simulation, number
 
@@ -48,11 +50,14 @@ class Particles:
     Arrays are views of the simulation's memory where the particles lie side by side, and copies otherwise.
     """
 
+    __slots__ = ("_simulation", "_ids")
+
     def __init__(self, simulation: Simulation, ids: Ids):
         self._simulation, self._ids = simulation, ids
 
     @property
     def simulation(self) -> Simulation:
+        """The simulation that this is a part of."""
         return self._simulation
 
     @property
@@ -143,6 +148,8 @@ class Particles:
 class Figure(Particles):
     """A figure of the scene: what a prefab built, or a list of particles. ``simulation["bob"]`` finds one."""
 
+    __slots__ = ("_name",)
+
     def __init__(self, simulation: Simulation, name: str):
         self._simulation, self._name = simulation, name
 
@@ -154,6 +161,7 @@ class Figure(Particles):
 
     @property
     def name(self) -> str:
+        """Name in the scene."""
         return self._name
 
     @property
@@ -168,10 +176,12 @@ class Figure(Particles):
 
     @property
     def ids(self) -> Ids:
+        """Ids of the particles in the figure, (n,) of uint64."""
         return self._simulation.ids[self._index]
 
     @property
     def rows(self) -> npt.NDArray[np.int64]:
+        """Rows in the arrays of the simulation, (n,)."""
         return np.flatnonzero(self._simulation.figure_indices == self._state()[0])
 
     def __getitem__(self, name: str) -> Particle | Particles:
@@ -191,12 +201,15 @@ class Particle:
     """A particle. ``simulation["bob/head"]`` finds one by name, which also lasts over a restart;
     ``simulation.particle(id)`` has that of an id."""
 
+    __slots__ = ("_simulation", "_which")
+
     def __init__(self, simulation: Simulation, which: str | int):
         self._simulation, self._which = simulation, which
         self.row  # raises where there is none
 
     @property
     def simulation(self) -> Simulation:
+        """The simulation that this is a part of."""
         return self._simulation
 
     @property
@@ -249,6 +262,7 @@ class Particle:
 
     @property
     def radius(self) -> float:
+        """Collision radius."""
         return float(self._simulation.radii[self.row])
 
     def apply_force(self, force: npt.ArrayLike) -> None:

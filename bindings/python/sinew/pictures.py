@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 class Pictures(State):
     """Pictures, films and the player of a notebook."""
 
+    __slots__ = ()
+
     def draw(self, width: int | None = None, height: int | None = None, overlays: Sequence[str] = ()) -> npt.NDArray[np.uint8]:
         """A picture, (height, width, 3): red, green and blue. ``overlays``: names of ``sinew.overlays()``."""
         return self._core.pixels(*self._view(width, height, overlays))

@@ -18,6 +18,8 @@ _phases = ("begin", "persist", "end")
 class Queries(Names):
     """What touches, and what is where."""
 
+    __slots__ = ()
+
     def list_contacts(self, on: bool = True) -> None:
         """Lists touches of figures with each other and with planes of world.bounds, too, from the next step on."""
         self._core.list_contacts(on)

@@ -54,6 +54,8 @@ class Simulation(Queries, Edits, Pictures):
     let other threads run, so several simulations step at once. ``with`` closes the simulation at the end of the block.
     """
 
+    __slots__ = ()
+
     # --- life -------------------------------------------------------------------------------------------------------
 
     def copy(self) -> Simulation:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -24,20 +24,55 @@ _position, _previous, _velocity, _inverse_mass, _radius, _figure, _ends, _mobili
 class State:
     """Arrays and numbers of a simulation."""
 
+    # A misspelt name that is assigned to is an error, where a __dict__ would take it.
+    __slots__ = ("_core", "_files", "_info", "__weakref__")
+
     def __init__(self, core: _core.Simulation, files: Files):
         self._core, self._files = core, files
         self._read_info()
 
     def _read_info(self) -> None:
-        info = self._core.info()
-        self.dimension: int = info["dimension"]  #: 2 or 3
-        self.precision: str = "float" if info["real_bytes"] == 4 else "double"
-        self.rate: float = info["rate"]  #: steps per second
-        self.per_second: float = info["per_second"]  #: of the scene's units of time: 60 if it counts frames
-        self.size: tuple[int, int] = info["size"]  #: of the picture that the scene asks for, pixels
-        self.duration: float = info["seconds"]  #: how long the scene is worth watching, seconds
-        self.is_classic: bool = info["is_classic"]  #: in mode "classic"
-        self.y_is_down: bool = info["y_is_down"]  #: y points down, as on screens
+        self._info: dict[str, Any] = self._core.info()
+
+    @property
+    def dimension(self) -> int:
+        """2 or 3."""
+        return self._info["dimension"]
+
+    @property
+    def precision(self) -> str:
+        """"float" or "double"."""
+        return "float" if self._info["real_bytes"] == 4 else "double"
+
+    @property
+    def rate(self) -> float:
+        """Steps per second."""
+        return self._info["rate"]
+
+    @property
+    def per_second(self) -> float:
+        """How many of the scene's units of time a second has: 60 if it counts frames."""
+        return self._info["per_second"]
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of the picture that the scene asks for, pixels."""
+        return self._info["size"]
+
+    @property
+    def duration(self) -> float:
+        """How long the scene is worth watching, seconds."""
+        return self._info["seconds"]
+
+    @property
+    def is_classic(self) -> bool:
+        """True in mode "classic"."""
+        return self._info["is_classic"]
+
+    @property
+    def y_is_down(self) -> bool:
+        """True where y points down, as on screens."""
+        return self._info["y_is_down"]
 
     @property
     def _self(self) -> Simulation:

@@ -28,6 +28,21 @@ def sim():
     assert sim.hash() == before
 
 
+@pytest.mark.parametrize("part", ["bob", "bob/head", "bob/*_hand"])
+def test_a_misspelt_name_takes_no_value(sim, part):
+    """Assigned in silence it would look as if it had moved something."""
+    pin = sinew.open("ragdoll")["bob/head"].pin()
+    for thing in (sim, sim[part], pin, sinew.batch("rope", 1)):
+        with pytest.raises(AttributeError):
+            thing.velocites = [0, 1]
+
+
+@pytest.mark.parametrize("name", ["rate", "dimension", "precision", "duration", "seconds", "size", "masses", "tensions"])
+def test_numbers_that_only_the_scene_sets(sim, name):
+    with pytest.raises(AttributeError):
+        setattr(sim, name, getattr(sim, name))
+
+
 @pytest.mark.parametrize("value", points, ids=range(len(points)))
 def test_arrays_of_points(sim, value):
     for name in ("positions", "velocities"):
