@@ -20,7 +20,7 @@ from .spec import StudyFile
 _shown = 6  #: cases of a kind with a picture
 _max_points = 20_000  #: of a plot
 
-_style = """body { font: 15px sans-serif; max-width: 1100px; margin: 2em auto; color: #222; }
+_style = """body { font: 15px sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em; color: #222; }
 figure { display: inline-block; margin: 0 12px 12px 0; width: 320px; vertical-align: top; }
 figure img { width: 100%; border: 1px solid #ddd; } figcaption { font-size: 13px; } .plot { max-width: 100%; }
 code { background: #f4f4f4; }"""
