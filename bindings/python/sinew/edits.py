@@ -40,10 +40,14 @@ class Edits(Names):
             raise ArgumentError(f"the lower limit is above the higher: {low} > {high}")
         if low == np.inf or high == -np.inf:
             raise ArgumentError(f"no measure is within these limits: {low} to {high}")
+        number, joined = self._kind(kind), self._arities[kind]
+        if len(particles) != joined:
+            raise ArgumentError(f"a constraint of kind {kind!r} joins {joined} particles, not {len(particles)}")
         members = np.array([self._id(particle) for particle in particles], np.uint64)
-        return self._core.add_constraint(self._kind(kind), members, *limits, compliance, max_force, breaking_strain)
+        return self._core.add_constraint(number, members, *limits, compliance, max_force, breaking_strain)
 
     def remove_constraint(self, which: str | int) -> None:
+        """Removes the constraint with this name or id. Raises NotFoundError."""
         self._core.remove_constraint(self._constraint_id(which))
 
     def move_collider(self, name: str, position: npt.ArrayLike, turn: float = 0, axis: npt.ArrayLike = (0, 0, 1)) -> None:

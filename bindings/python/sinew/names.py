@@ -104,10 +104,17 @@ class Names(State):
     @property
     def kinds(self) -> list[str]:
         """The kinds of constraints of this dimension."""
-        return [kind["name"] for kind in json.loads(_core.describe("kinds"))[str(self.dimension)]]
+        return list(self._arities)
+
+    @property
+    def _arities(self) -> dict[str, int]:
+        """How many particles a constraint joins, by its kind."""
+        return {kind["name"]: kind["particles"] for kind in json.loads(_core.describe("kinds"))[str(self.dimension)]}
 
     def _kind(self, name: str) -> int:
         kinds = self.kinds
         if name not in kinds:
-            raise ArgumentError(f"no kind of constraint is called {name!r}; there are {', '.join(kinds)}")
+            near = difflib.get_close_matches(name, kinds, 1) if isinstance(name, str) else []
+            meant = f"did you mean {near[0]!r}? There are" if near else "there are"
+            raise ArgumentError(f"no kind of constraint is called {name!r}; {meant} {', '.join(kinds)}")
         return kinds.index(name)

@@ -77,12 +77,14 @@ def _plain(value: Any) -> Any:
     """Numbers and arrays of NumPy as Python's."""
     if hasattr(value, "tolist"):
         return value.tolist()
-    raise TypeError(f"{value!r} is a {type(value).__name__}")
+    raise TypeError(f"no {type(value).__name__}, as {value!r}")
 
 
 def path_of(scene: str | os.PathLike[str]) -> Path:
     """A bare word is a name of the catalogue first; a word with a dot or a slash is a path."""
     path = Path(scene)
+    if not os.fspath(scene):
+        raise ArgumentError("the name of a scene is empty (sinew.catalogue() lists them)")
     is_name = isinstance(scene, str) and not ("." in scene or "/" in scene or os.sep in scene)
     named = catalogue_folder() / f"{scene}.json"
     if is_name and named.exists():
@@ -91,7 +93,7 @@ def path_of(scene: str | os.PathLike[str]) -> Path:
         raise IsADirectoryError(f"{path} is a folder, not a scene file")
     if path.exists():
         return path
-    near = difflib.get_close_matches(path.stem, catalogue(), 1, 0.5)
+    near = difflib.get_close_matches(path.stem, catalogue(), 1, 0.5 if is_name else 0.8)
     help_text = f"; did you mean {near[0]!r}?" if near else ""
     if is_name:
         raise NotFoundError(f"no scene is called {scene!r}{help_text} (sinew.catalogue() lists them)")

@@ -12,7 +12,7 @@ from .errors import ArgumentError
 from .pictures import Pictures
 from .queries import Queries
 from .scenes import Scene, opened, overrides_of
-from .snapshots import Saved, Snapshot, files_of_snapshot, loaded, snapshot_of, unpickled, write
+from .snapshots import Saved, Snapshot, files_of_snapshot, loaded, saved_in, snapshot_of, unpickled, write
 
 if TYPE_CHECKING:
     import pandas
@@ -34,6 +34,8 @@ def open(scene: Scene | bytes, overrides: Mapping[str, Any] | None = None, /, **
 
     What ``Simulation.save`` returned or wrote, or the command's ``sinew run --save``, goes on where it was saved.
     """
+    if overrides is not None and not isinstance(overrides, Mapping):
+        raise TypeError(f"overrides are a dict of paths and values, not {type(overrides).__name__}")
     values = {**(overrides or {}), **more}
     snapshot = snapshot_of(scene)
     if snapshot is None:
@@ -80,9 +82,7 @@ class Simulation(Queries, Edits, Pictures):
         """Returns to a state that ``save`` returned or wrote, of this simulation or of any other of the same dimension
         and precision. Ids and pins are those of that moment; arrays taken before keep their last values. Raises
         ValueError for anything else, and changes nothing then."""
-        snapshot = snapshot_of(saved)
-        if snapshot is None:
-            raise ArgumentError("what save() returned or wrote is expected")
+        snapshot = saved_in(saved)
         files = files_of_snapshot(snapshot, self._files)
         self._core.restore(snapshot.data, files.images, files.models)
         self._files = files

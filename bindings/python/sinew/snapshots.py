@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, Union
 
 from . import _core
+from .errors import ArgumentError
 from .scenes import Files, Source, files_of, path_of
 
 if TYPE_CHECKING:
@@ -31,7 +33,22 @@ def snapshot_of(scene: object) -> Snapshot | None:
         return Snapshot(bytes(scene), Path())
     if not isinstance(scene, (str, os.PathLike)) or (isinstance(scene, str) and scene.lstrip().startswith("{")):
         return None
-    path = path_of(scene)
+    return _snapshot_at(path_of(scene))
+
+
+def saved_in(saved: object) -> Snapshot:
+    """The snapshot in bytes, or in the file of a path, which is no name of the catalogue. Raises ArgumentError for anything else,
+    OSError for a file that cannot be read."""
+    if isinstance(saved, os.PathLike) or (isinstance(saved, str) and not saved.lstrip().startswith("{")):
+        found = _snapshot_at(Path(saved))
+    else:
+        found = snapshot_of(saved)
+    if found is None:
+        raise ArgumentError("what save() returned or wrote is expected")
+    return found
+
+
+def _snapshot_at(path: Path) -> Snapshot | None:
     with open(path, "rb") as file:
         begin = file.read(len(_begin))
         return Snapshot(begin + file.read(), path.parent) if begin == _begin else None
@@ -65,6 +82,7 @@ def write(data: bytes, path: str | os.PathLike[str]) -> None:
     try:
         partial.write_bytes(data)
         os.replace(partial, path)
-    except OSError:
-        partial.unlink(missing_ok=True)
-        raise
+    except OSError as problem:
+        with contextlib.suppress(OSError):
+            partial.unlink(missing_ok=True)
+        raise OSError(problem.errno, problem.strerror, os.fspath(path)) from None

@@ -43,6 +43,13 @@ def test_numbers_that_only_the_scene_sets(sim, name):
         setattr(sim, name, getattr(sim, name))
 
 
+def test_a_constraint_tells_how_many_particles_its_kind_joins(sim):
+    with pytest.raises(ValueError, match="kind 'distance' joins 2 particles, not 1"):
+        sim.add_constraint("distance", ["bob/head"])
+    with pytest.raises(ValueError, match="did you mean 'distance'"):
+        sim.add_constraint("distanc", ["bob/head", "bob/left_hand"])
+
+
 @pytest.mark.parametrize("value", points, ids=range(len(points)))
 def test_arrays_of_points(sim, value):
     for name in ("positions", "velocities"):

@@ -79,6 +79,20 @@ def test_names_that_are_wrong_are_answered_with_the_nearest():
         sinew.open("scenes/ragdol.json")
     with pytest.raises(IsADirectoryError):
         sinew.open("..")
+    with pytest.raises(sinew.Error, match="the name of a scene is empty"):
+        sinew.open("")
+
+
+@pytest.mark.parametrize("path", ["nothere.json", "./dir"])
+def test_a_file_that_is_not_there_is_not_likened_to_just_any_scene(path):
+    with pytest.raises(FileNotFoundError) as caught:
+        sinew.open(path)
+    assert "catalogue" not in str(caught.value)
+
+
+def test_overrides_are_a_dict():
+    with pytest.raises(TypeError, match="overrides are a dict of paths and values, not list"):
+        sinew.open("ragdoll", ["world.gravity=[0, 1]"])
 
 
 @pytest.mark.parametrize("scene", [3, None, ["rope"], {"sinew": object()}, {"sinew": 1, "figures": {1, 2}}])

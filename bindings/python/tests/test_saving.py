@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 import sinew
-from conftest import pendulum, tearing
+from conftest import pendulum, root, tearing
 
 
 @pytest.mark.parametrize("scene", [pendulum, tearing, "ragdoll", "dress", "cloth_on_sphere"])
@@ -59,11 +59,12 @@ def test_what_is_no_snapshot_is_refused_and_changes_nothing():
     sim.step(3)
     before, saved = sim.hash(), sinew.open("ragdoll").save()
     for wrong in (b"", b"SINEWSNP", saved[:-1], saved[:100], saved.replace(b"ragdoll", b"radgoll"), sinew.open("cloth3d").save(),
-                  sinew.open("ragdoll", precision="float").save(), "ragdoll", '{"sinew": 1}', 3, None):
+                  sinew.open("ragdoll", precision="float").save(), root / "scenes" / "ragdoll.json", '{"sinew": 1}', 3, None):
         with pytest.raises(ValueError):
             sim.restore(wrong)
-    with pytest.raises(FileNotFoundError):
-        sim.restore("nowhere.sinew")
+    for name in ("nowhere.sinew", "ragdoll"):
+        with pytest.raises(FileNotFoundError):
+            sim.restore(name)
     with pytest.raises(ValueError, match="as it was saved"):
         sinew.open(saved, mode="classic")
     assert sim.hash() == before
@@ -91,3 +92,19 @@ def test_the_command_goes_on_from_it(tmp_path, command):
     subprocess.run([command, "run", tmp_path / "at.sinew", "--seconds", "2", "--save", tmp_path / "later.sinew"], check=True)
     sim.run(1)
     assert sinew.open(tmp_path / "later.sinew").hash() == sim.hash()
+
+
+@pytest.mark.parametrize("name", ["rope", "nowhere"])
+def test_a_state_is_restored_from_a_file_and_not_from_the_catalogue(tmp_path, monkeypatch, name):
+    monkeypatch.chdir(tmp_path)
+    sim = sinew.open("rope")
+    with pytest.raises(FileNotFoundError) as caught:
+        sim.restore(name)
+    assert caught.value.filename == name
+
+
+def test_a_state_that_cannot_be_written_names_its_own_file(tmp_path):
+    path = tmp_path / "missing" / "state.sinew"
+    with pytest.raises(FileNotFoundError) as caught:
+        sinew.open("rope").save(path)
+    assert caught.value.filename == str(path)
