@@ -16,7 +16,7 @@ wrong = [
     ('{"a": 1, "a": 2}', '"a" is said twice', 1), ('{"a": tru}', "expected a value", 1), ('{"a" 1}', "expected :", 1), ("[" * 5000, "levels", 1),
     ({"scen": 1}, 'unknown property "scen"', 2), ({"scene": "ragdol"}, "did you mean 'ragdoll'", None),
     ({"scene": "missing.json"}, "there is no file", None), ({"scene": {"sinew": 1, "figuers": []}}, "figuers", None),
-    ({"vary": {"world.gravty": [1]}}, 'unknown property "gravty"', None), ({"vary": {"world.damping": [0, -1]}}, "for -1", None),
+    ({"vary": {"world.gravty": [1]}}, 'unknown property "gravty"', None), ({"vary": {"world.damping": [0, -1]}}, "found the number -1", None),
     ({"vary": {"world.damping": []}}, "empty list", None), ({"vary": {"world.damping": {"from": 0, "to": 1}}}, "needs a number of steps", None),
     ({"vary": {"world.damping": {"from": 2, "to": 1, "steps": 2}}}, "ends before it begins", None),
     ({"vary": {"world.damping": {"from": 0, "to": 1, "steps": 2, "scale": "log"}}}, "above 0", None),
@@ -36,7 +36,7 @@ wrong = [
     ({"measure": {"hash": "energy"}}, 'another column "hash"', None), ({"vary": {"world.damping": [1]}, "measure": {"world.damping": "energy"}}, "another column", None),
     ({"best": {"lowest": "height", "highest": "energy"}}, "expected {", None), ({"vary": {"mode": ["physical\0"]}}, "zero", None),
     ({"set": {"solver": {"substeps": 8, "rate": "fast"}}}, "rate", None), ({"vary": {"world.damping": {"from": 0, "to": 1, "steps": 1.5}}}, "whole number", None),
-    ('{"sinew_study": 1, "scene": "rope", "vary": {}, "measure": {}, "cases": 1e999}', "inf is out of range", 1),
+    ('{"sinew_study": 1, "scene": "rope", "vary": {}, "measure": {}, "cases": 1e999}', "the number 1e999 is too large", 1),
     ({"vary": {f"world.gravity.{i}": {"from": 0, "to": 1, "steps": 10**7} for i in range(3)}}, "1,000,000,000,000,000,000,000 cases are more", None),
     ({"vary": {"world.damping": [0]}, "repetitions": 10**8}, "out of range", None), ({"measure": {"\ud800": "energy"}}, "half of a character", None),
     ({"repetitions": 0}, "out of range", None), ({"seed": 1.5}, "whole number", None), ({"set": {"world.dampin": 1}}, "dampin", None),
@@ -53,6 +53,28 @@ def test_every_mistake_has_its_place(tmp_path, given, message, line):
         place = text.split("\n")[mistake.line - 1]
         assert 1 <= mistake.column <= len(place) + 1
         assert f":{mistake.line}:{mistake.column}: error: " in mistake.text and "^" in mistake.text
+
+
+@pytest.mark.parametrize("given, word, help", [
+    ({"vary": {"world.damping": [0, 0.25, -7]}}, "-7", "Damping"), ({"vary": {"world.gravity": [[0, -1], [0, -2, -3]]}}, "[", "gravity"),
+    ({"vary": {"world.damping": {"from": -7, "to": 1, "steps": 3}}}, "-7", "Damping"),
+    ({"vary": {"solver.substeps": {"from": 1, "to": 987654, "steps": 3, "whole": True}}}, "987654", ""),
+    ({"noise": {"world.damping": [0.5, -7]}}, "-7", "Damping"), ({"sinew_study": 2}, "2", "sinew_study"),
+    ({"vary": {"world.damping": [1, 9e999]}}, "9e999", ""), ({"measure": {"x": "bob/weight.z"}}, '"bob/weight.z"', "vx, vy, x, y"),
+    ({"measure": {" ": "energy"}}, '" "', ""), ({"measure": {"x": 3}}, "3", "function")])
+def test_a_mistake_points_at_the_wrong_word(tmp_path, given, word, help):
+    """Also in the middle of a list: its own line and column, once."""
+    text = json.dumps({**swing, **given}, indent=1).replace("1e+999", "9e999").replace("Infinity", "9e999")
+    with pytest.raises(StudyError) as caught:
+        Study(written(tmp_path, text))
+    [mistake] = caught.value.errors
+    assert text.split("\n")[mistake.line - 1][mistake.column - 1 :].startswith(word), str(mistake.text)
+    assert help in mistake.help
+
+
+def test_a_study_that_measures_nothing_ranks_by_nothing(tmp_path):
+    with pytest.raises(StudyError, match="there is none"):
+        Study(written(tmp_path, {**swing, "measure": {}, "best": "height"}))
 
 
 def test_all_mistakes_are_told_at_once_and_point_at_their_words(tmp_path):

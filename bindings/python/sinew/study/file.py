@@ -51,7 +51,7 @@ class _Checker(Variations):
         given = self.fields(root, self.known, "", ("sinew_study", "scene", "vary", "measure"))
         if not given:
             return None
-        self.number(given.get("sinew_study"), 1, "/sinew_study", 1, 1)
+        self.version(given.get("sinew_study"))
         self.word(given.get("about"), "", "/about")
         design = self.design(given)
         self.disjoint(given)
@@ -62,6 +62,10 @@ class _Checker(Variations):
         self.check_values(given, job, design)
         best, wants_low = self.best(given)
         return StudyFile(self.path, self.word(given.get("about"), "", "/about"), job, files, design, best, wants_low, key_of(job, design))
+
+    def version(self, node: Node | None) -> None:
+        if node and (isinstance(node.value, bool) or node.value != 1):
+            self.mistakes.at(node, "this Sinew reads version 1 of the study format", "/sinew_study", 'begin the file with {"sinew_study": 1, ...')
 
     # --- the scene and what is measured -------------------------------------------------------------------------------
 
@@ -103,7 +107,9 @@ class _Checker(Variations):
         """Mistakes of the scene and of what is set in it. Those of a scene in the study's own file have their place there."""
         found = len(self.mistakes.found)
         for path, value in job.set.items():
-            self.check_value(given["set"], path, value, job._replace(set={}), f"/set/{path}", only_override=True)
+            fixed = given["set"].value
+            assert isinstance(fixed, dict)
+            self.check_value(given["set"], path, value, job._replace(set={}), f"/set/{path}", fixed[path], only_override=True)
         if isinstance(node.value, dict):
             lines = self.text[: node.start].split("\n")
             padded = "\n" * (len(lines) - 1) + " " * len(lines[-1]) + self.text[node.start : node.end]
@@ -146,6 +152,9 @@ class _Checker(Variations):
 
     def measure(self, node: Node, simulation: Any, path: str, functions: dict[str, str]) -> None:
         words = (*overs, "first", "count", "function")
+        if not isinstance(node.value, dict):
+            self.mistakes.at(node, "expected an object, or the name of a quantity", path, f"an object has one of {', '.join(words)}")
+            return
         given = self.fields(node, (*words, "where"), path)
         chosen = [word for word in words if word in given]
         if len(chosen) != 1:
@@ -184,7 +193,7 @@ class _Checker(Variations):
             text = (self.path.parent / file).read_text(encoding="utf-8")
             tree = ast.parse(text, file)
         except (OSError, SyntaxError, ValueError) as problem:
-            self.mistakes.at(node, f"{file}: {problem}", path)
+            self.mistakes.at(node, f"{file}: {problem.strerror if isinstance(problem, OSError) else problem}", path)
             return
         known = {item.name for item in tree.body if isinstance(item, ast.FunctionDef)}
         if name not in known:
@@ -211,12 +220,15 @@ class _Checker(Variations):
         for section, variations in (("vary", design.vary), ("noise", design.noise)):
             for path, variation in variations.items():
                 values = variation.values or (variation.at(0), variation.at(1 - 1e-9))
-                for value in itertools.islice(dict.fromkeys(json.dumps(value) for value in values), _checked_values):
-                    if not self.check_value(given[section], path, json.loads(value), job, f"/{section}/{path}"):
+                different: dict[str, Node] = {}
+                for value, place in zip(values, _places(given[section], path)):
+                    different.setdefault(json.dumps(value), place)
+                for value, place in itertools.islice(different.items(), _checked_values):
+                    if not self.check_value(given[section], path, json.loads(value), job, f"/{section}/{path}", place):
                         break
 
-    def check_value(self, section: Node, path: str, value: Any, job: Job, where: str, only_override: bool = False) -> bool:
-        """Opens the scene with a value; False where another one is of no use, as the path is wrong."""
+    def check_value(self, section: Node, path: str, value: Any, job: Job, where: str, place: Node, only_override: bool = False) -> bool:
+        """Opens the scene with a value, said at a place; False where another one is of no use, as the path is wrong."""
         assert isinstance(section.value, dict)
         try:
             simulation_of(job, {path: value}).close()
@@ -226,13 +238,19 @@ class _Checker(Variations):
                 return True
             mistake = (own or error.errors)[0]
             is_path = mistake.column <= len(path)
-            node = section.keys[path] if is_path else section.value[path]
-            self.mistakes.at(node, mistake.message + ("" if is_path else f" for {json.dumps(value)}"), where, mistake.help)
+            self.mistakes.at(section.keys[path] if is_path else place, mistake.message, where, mistake.help)
             return not is_path
         except Error as problem:
             self.mistakes.at(section.keys[path], str(problem), where)
             return False
         return True
+
+
+def _places(section: Node, path: str) -> list[Node]:
+    """Where the values of a path are said: those of a list, or both ends of a range."""
+    assert isinstance(section.value, dict)
+    given = section.value[path].value
+    return given if isinstance(given, list) else [given["from"], given["to"]] if isinstance(given, dict) else []
 
 
 __all__ = ["StudyError", "StudyFile", "read"]

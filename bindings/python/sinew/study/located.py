@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
+import math
 import re
 from dataclasses import dataclass
 from typing import Any, Iterable, Union
@@ -88,6 +89,8 @@ class Reader:
             raise Syntax(f"{match[0]} is no value of JSON", start) from None
         if isinstance(value, str) and any("\ud800" <= letter <= "\udfff" for letter in value):
             raise Syntax(f"{match[0]} has half of a character", start)
+        if isinstance(value, float) and not math.isfinite(value):
+            raise Syntax(f"the number {match[0]} is too large", start)
         return Node(value, start, self.at, {})
 
     def object(self, start: int, depth: int) -> Node:
@@ -119,6 +122,8 @@ class Reader:
 def nearest(word: str, known: Iterable[str]) -> str:
     """Help for an unknown word: the nearest known one, and all."""
     names = sorted(known)
+    if not names:
+        return "there is none"
     near = difflib.get_close_matches(word, names, 1, 0.6)
     allowed = f"allowed here: {', '.join(names)}"
     return f'did you mean "{near[0]}"? ({allowed})' if near else allowed

@@ -42,8 +42,9 @@ def quantity(name: str, simulation: Simulation) -> Quantity:
     if field in _states:
         simulation.constraint(part)
         return lambda sim: float(getattr(sim.constraint(part), field))
-    if field not in _axes or (field[-1] == "z" and simulation.dimension == 2):
-        raise UnknownQuantity(f"\"{field}\" is no number of a part", nearest(field, (*_axes, *_states)))
+    axes = [axis for axis in _axes if axis[-1] != "z" or simulation.dimension == 3]
+    if field not in axes:
+        raise UnknownQuantity(f"\"{field}\" is no number of a part in {simulation.dimension}D", nearest(field, (*axes, *_states)))
     simulation[part]
     return lambda sim: _number_of(sim, part, field)
 

@@ -53,8 +53,10 @@ class Variations(Pieces):
                 seen.setdefault(name, section)
         node = given.get("measure")
         for name in node.value if node and isinstance(node.value, dict) else ():
+            assert node
+            if not name.strip():
+                self.mistakes.at(node.keys[name], "a measure has a name", "/measure")
             if name in columns or name in seen:
-                assert node
                 self.mistakes.at(node.keys[name], f'the table has another column "{name}"', f"/measure/{name}", "give the measure another name")
 
     def variations(self, node: Node | None, path: str, sample: str) -> dict[str, Variation]:
