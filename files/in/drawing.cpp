@@ -12,8 +12,9 @@
 namespace sinew::files {
 namespace {
 
-constexpr double furthest_coordinate = 1e6; // pixels
-constexpr double gravity_in_pixels = 981;   // px/s^2
+constexpr double furthest_coordinate = 1e6;  // pixels
+constexpr double gravity_in_pixels = 981;    // px/s^2
+constexpr double crossing_error = 1.0 / 512; // pixels: two cells of the grid of uncrossed()
 
 std::string path_text(const std::vector<Outline>& outlines, bool closed) {
     std::string text;
@@ -102,7 +103,7 @@ void Drawing::add_collider(const DrawnShape& shape) {
     for (const auto& area : areas_of(shape)) {
         const auto holes = std::span(area).subspan(1);
         if (collide::convex_parts(area[0], holes).empty()) {
-            notes_.add(shape.place, "its outline crosses itself or encloses nothing: no collider");
+            notes_.add(shape.place, "its outline touches itself or encloses nothing: no collider");
             continue;
         }
         json::Object polygon{{"shape", "polygon"}, {"path", path_text(area, true)}};
@@ -111,20 +112,19 @@ void Drawing::add_collider(const DrawnShape& shape) {
     }
 }
 
-/// Areas of a shape's closed lines, each with its holes, simplified.
-std::vector<std::vector<Outline>> Drawing::areas_of(const DrawnShape& shape) {
-    std::vector<SvgOutline> outlines;
+/// Closed lines of a shape, simplified.
+std::vector<Outline> Drawing::outlines_of(const DrawnShape& shape) {
+    std::vector<Outline> outlines;
     std::size_t points = 0, kept = 0;
     for (const auto& line : shape.lines) {
         if (!line.closed) continue;
         points += line.points.size();
         auto simple = without_doubles(simplified_loop(without_doubles(line.points, true), error_), true);
         kept += simple.size();
-        if (simple.size() < 3 || collide::twice_area(simple) == 0) {
-            notes_.count(shape.place, format_text("an outline smaller than the error of {:6} px has no area", error_));
-            continue;
-        }
-        outlines.push_back({std::move(simple), true});
+        if (simple.size() < 3)
+            notes_.count(shape.place, without_area());
+        else
+            outlines.push_back(std::move(simple));
     }
     if (kept > ImportLimits::corners)
         throw ImportError{shape.place,
@@ -132,15 +132,51 @@ std::vector<std::vector<Outline>> Drawing::areas_of(const DrawnShape& shape) {
                                  " are possible"),
                           format_text("--error N, more than {:6} pixels, leaves fewer", error_)};
     if (kept < points) notes_.count(shape.place, format_text("outlines are simplified, by at most {:6} px", error_));
-    const auto solids = solids_of(outlines, shape.fill_rule);
-    if (!solids.error.empty()) notes_.add(shape.place, concat(solids.error, ": it is left out"));
-    std::vector<std::vector<Outline>> areas;
-    for (const auto& solid : solids.solids) {
+    return outlines;
+}
+
+/// Areas of a shape's closed lines.
+std::vector<Area> Drawing::areas_of(const DrawnShape& shape) {
+    const auto outlines = outlines_of(shape);
+    if (have_crossings(outlines)) return uncrossed_areas(shape, outlines);
+    std::vector<SvgOutline> closed;
+    for (const auto& outline : outlines)
+        if (collide::twice_area(outline) == 0)
+            notes_.count(shape.place, without_area());
+        else
+            closed.push_back({outline, true});
+    std::vector<Area> areas;
+    for (const auto& solid : solids_of(closed, shape.fill_rule).solids) {
         auto& area = areas.emplace_back();
         area.push_back(solid.outline);
         area.insert(area.end(), solid.holes.begin(), solid.holes.end());
     }
     return areas;
+}
+
+std::vector<Area> Drawing::uncrossed_areas(const DrawnShape& shape, const std::vector<Outline>& outlines) {
+    auto areas = uncrossed(outlines, shape.fill_rule);
+    if (!areas) {
+        notes_.add(shape.place, "its outlines cross too often: it is left out");
+        return {};
+    }
+    std::vector<Area> large;
+    for (auto& area : *areas) {
+        // Slivers and splinters of the simplified outlines are not drawn.
+        const auto is_small = [&](const Outline& loop) {
+            return std::abs(collide::twice_area(loop)) / 2 < error_ * length_of(loop, true) / 4;
+        };
+        for (auto& loop : area) loop = simplified_loop(loop, crossing_error);
+        if (is_small(area[0])) continue;
+        area.erase(std::remove_if(area.begin() + 1, area.end(), is_small), area.end());
+        large.push_back(std::move(area));
+    }
+    if (large.empty()) notes_.count(shape.place, without_area());
+    return large;
+}
+
+std::string Drawing::without_area() const {
+    return format_text("an outline smaller than the error of {:6} px has no area", error_);
 }
 
 void Drawing::add_area(const DrawnShape& shape, const Worn* worn) {
@@ -159,7 +195,7 @@ void Drawing::add_area(const DrawnShape& shape, const Worn* worn) {
         const auto mesh = triangulated(area, is_stiff ? 0 : spacing, 2 * ImportLimits::corners);
         if (mesh.triangles.empty()) {
             notes_.add(shape.place,
-                       "its outline crosses itself, or is too thin to be filled with triangles: it is left out");
+                       "its outline touches itself, or is too thin to be filled with triangles: it is left out");
             continue;
         }
         count(mesh.points.size(), shape.place);

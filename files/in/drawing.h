@@ -5,6 +5,7 @@
 #include "files/in/notes.h"
 #include "files/in/role.h"
 #include "files/in/simplify.h"
+#include "files/in/uncrossed.h"
 
 #include <functional>
 
@@ -67,7 +68,10 @@ class Drawing {
     void add_collider(json::Object shape, const DrawnShape& drawn);
     void add_area(const DrawnShape& shape, const Worn* worn);
     void add_rope(const DrawnShape& shape);
-    std::vector<std::vector<Outline>> areas_of(const DrawnShape& shape);
+    std::vector<Outline> outlines_of(const DrawnShape& shape);
+    std::vector<Area> areas_of(const DrawnShape& shape);
+    std::vector<Area> uncrossed_areas(const DrawnShape& shape, const std::vector<Outline>& outlines);
+    std::string without_area() const;
     double thickness() const;
 };
 
