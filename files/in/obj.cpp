@@ -1,3 +1,4 @@
+#include "sinew/prefab/obj_line.h"
 #include "sinew/scene/text.h"
 
 #include "files/in/formats.h"
@@ -68,12 +69,10 @@ class ObjImport {
     /// The lines that read_obj passes over.
     void scan() {
         parts_.push_back({file_.title, 1, {}});
-        std::size_t line = 0, faces = 0;
-        for (std::string_view rest = file_.bytes; !rest.empty();) {
-            const auto end = std::min(rest.find('\n'), rest.size());
-            scan_line(rest.substr(0, end), ++line, faces);
-            rest.remove_prefix(std::min(end + 1, rest.size()));
-        }
+        std::size_t line = 1, lines = 0, faces = 0;
+        std::string joined;
+        for (std::string_view rest = file_.bytes; !rest.empty(); line += lines)
+            scan_line(take_obj_line(rest, joined, lines), line, faces);
     }
     void scan_line(std::string_view text, std::size_t line, std::size_t& faces) {
         constexpr std::string_view blanks = " \t\r";

@@ -84,10 +84,24 @@ std::optional<Affine> one_transform(std::string_view name, const std::vector<dou
     return std::nullopt;
 }
 
-/// Red, green, blue and alpha of rgb() and rgba(), 0 to 255.
+/// Red, green and blue of hsl(), 0 to 255 (CSS Color 4, 7.1): hue in degrees, saturation and lightness from 0 to 1.
+std::array<double, 3> from_hsl(double hue, double saturation, double lightness) {
+    const double turn = hue - 360 * std::floor(hue / 360);
+    const double range = std::clamp(saturation, 0.0, 1.0) * std::min(lightness, 1 - lightness);
+    const auto channel = [&](double shift) {
+        double sector = shift + turn / 30;
+        if (sector >= 12) sector -= 12;
+        return 255 * (lightness - range * std::clamp(std::min(sector - 3, 9 - sector), -1.0, 1.0));
+    };
+    return {channel(0), channel(8), channel(4)};
+}
+
+/// Red, green, blue and alpha of rgb(), rgba(), hsl() and hsla(), 0 to 255.
 std::optional<std::array<double, 4>> channels(std::string_view text) {
+    const bool is_hsl = text.starts_with("hsl");
     const auto open = text.find('('), close = text.find(')');
-    if (open == text.npos || close == text.npos || close < open || !text.starts_with("rgb")) return std::nullopt;
+    if (open == text.npos || close == text.npos || close < open || !(is_hsl || text.starts_with("rgb")))
+        return std::nullopt;
     std::array<double, 4> result{0, 0, 0, 255};
     auto rest = skipped(text.substr(open + 1, close - open - 1));
     for (std::size_t i = 0; i < 4 && !rest.empty(); ++i) {
@@ -95,11 +109,15 @@ std::optional<std::array<double, 4>> channels(std::string_view text) {
         if (!number) return std::nullopt;
         const bool is_share = rest.starts_with('%');
         if (is_share) rest.remove_prefix(1);
-        result[i] = is_share ? *number * 2.55 : i == 3 ? *number * 255 : *number;
+        if (is_hsl && i == 0 && rest.starts_with("deg")) rest.remove_prefix(3);
+        const bool is_percent = is_share || (is_hsl && (i == 1 || i == 2));
+        result[i] = is_percent ? *number * 2.55 : i == 3 ? *number * 255 : *number;
         rest = skipped(rest);
         if (rest.starts_with('/')) rest = skipped(rest.substr(1));
     }
-    return result;
+    if (!is_hsl) return result;
+    const auto [red, green, blue] = from_hsl(result[0], result[1] / 255, std::clamp(result[2] / 255, 0.0, 1.0));
+    return std::array{red, green, blue, result[3]};
 }
 
 std::string hex_of(const Color& color, double opacity) {

@@ -2,6 +2,7 @@
 
 #include "sinew/math/format.h"
 #include "sinew/math/sort.h"
+#include "sinew/prefab/obj_line.h"
 
 #include <algorithm>
 #include <array>
@@ -73,11 +74,11 @@ class ReadingObj {
     ReadingObj(std::string_view text, const ObjLimits& limits) : text_(text), limits_(limits) {}
 
     std::variant<MeshModel, ObjProblem> read() {
-        while (!text_.empty() && problem_.empty()) {
-            ++line_;
-            const auto end = std::min(text_.find('\n'), text_.size());
-            read_line(text_.substr(0, std::min(text_.substr(0, end).find('#'), end)));
-            text_.remove_prefix(std::min(end + 1, text_.size()));
+        std::string joined;
+        for (std::size_t lines = 1; !text_.empty() && problem_.empty();) {
+            line_ += lines;
+            const auto line = take_obj_line(text_, joined, lines);
+            read_line(line.substr(0, line.find('#')));
         }
         if (!problem_.empty()) return ObjProblem{line_, problem_};
         if (model_.faces() == 0) return ObjProblem{0, "there is no face in it: no line begins with f"};
@@ -87,7 +88,7 @@ class ReadingObj {
   private:
     std::string_view text_;
     const ObjLimits& limits_;
-    std::size_t line_ = 0;
+    std::size_t line_ = 0; ///< of the file: the first of those that are joined
     std::string problem_;
     MeshModel model_;
 
@@ -154,6 +155,27 @@ class ReadingObj {
 };
 
 } // namespace
+
+std::string_view take_obj_line(std::string_view& text, std::string& joined, std::size_t& lines) {
+    const auto take = [&] {
+        const auto end = std::min(text.find('\n'), text.size());
+        auto line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        return line;
+    };
+    const auto goes_on = [](std::string_view line) { return line.ends_with('\\') && line.find('#') == line.npos; };
+    auto line = take();
+    lines = 1;
+    if (!goes_on(line)) return line;
+    joined.clear();
+    for (; goes_on(line); ++lines) {
+        joined.append(line.substr(0, line.size() - 1)) += ' ';
+        line = take();
+    }
+    joined.append(line);
+    return joined;
+}
 
 std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits) {
     return ReadingObj(text, limits).read();

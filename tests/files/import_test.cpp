@@ -65,6 +65,16 @@ TEST(Import, LooksThatScenesHaveNotAreTold) {
     EXPECT_TRUE(has_note(svg, "5:", "marker-end"));
     EXPECT_EQ(json::to_text(at(svg, "/figures/2/looks/inside/fill")), "\"#0000ff\""); // the rule after the others
 
+    const auto bright =
+        import_text("a.svg", R"(<svg width='90' height='90'><rect width='9' height='9' fill='hsl(120, 50%, 50%)'/>
+<rect x='20' width='9' height='9' fill='hsla(-30deg 100% 25% / 50%)'/><rect x='40' width='9' height='9' fill='hsl(0 0 100)'/></svg>)");
+    EXPECT_EQ(json::to_text(at(bright, "/figures/0/looks/inside/fill")), "\"#40bf40\""); // CSS Color 4, 7.1
+    EXPECT_EQ(json::to_text(at(bright, "/figures/1/looks/inside/fill")), "\"#80004080\"");
+    EXPECT_EQ(json::to_text(at(bright, "/figures/2/looks/inside/fill")), "\"#ffffff\"");
+
+    const auto joined = import_text("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 \\\n0\nf 1 2 \\\r\n 3\nl 1 2\n# C:\\\nl 1 2\n");
+    EXPECT_TRUE(has_note(joined, "7:", "lines are not taken (and 1 more)")); // numbers of lines are those of the file
+
     const auto obj = import_text("a.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 1 # weight\nf 1 2 3\n");
     EXPECT_TRUE(has_note(obj, "1:", "colours of points are not taken"));
     EXPECT_FALSE(has_note(obj, "1:", "and"));
@@ -140,6 +150,8 @@ TEST(Import, HostileFilesAreRefusedWithTheirPlace) {
         {"a.tmj", R"({"tilewidth":8,"tileheight":8,"width":100001,"height":1,"layers":[]})", "1:", "whole number"},
         {"a.tmj", R"({"orientation":"isometric","tilewidth":8,"tileheight":8,"layers":[]})", "1:16", "orthogonal"},
         {"a.glb", glb_of("{}").substr(0, 20), "", "longer"},
+        {"a.glb", glb_of("{}").substr(0, 12), "byte 12", "breaks off"},
+        {"a.txt", "glTF", "byte 4", "breaks off"},
         {"a.glb", std::string("glTF\2\0\0\0\xff\0\0\0\xff\xff\xff\x7fJSON{}", 22), "byte 12", "longer than the rest"},
         {"a.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":"data:,"}]})", "1:", "base64"},
         {"a.gltf", R"({"asset":{"version":"2.0"},"buffers":[],"scenes":[{"nodes":[0]}],"nodes":[{"children":[0]}]})",

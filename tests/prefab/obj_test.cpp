@@ -38,6 +38,15 @@ TEST(Obj, ReadsPointsAndFacesInAllTheirWays) {
     EXPECT_EQ(std::vector(model.face(1).begin(), model.face(1).end()), (std::vector<std::uint32_t>{0, 1, 3}));
 }
 
+TEST(Obj, ABackslashJoinsALineWithTheNext) {
+    const auto model = good("v 0 0 0\nv 1 \\\n0 0\nv 0 1 0\nv 1 1 0\nf 1 2\\\r\n4\\\n 3\n# a folder\\\nf 1 2 3\\");
+    EXPECT_EQ(model.points.size(), 4U);
+    ASSERT_EQ(model.faces(), 2U);
+    EXPECT_EQ(std::vector(model.face(0).begin(), model.face(0).end()), (std::vector<std::uint32_t>{0, 1, 3, 2}));
+    refused("v 0 0 0\nv 1 \\\n0\nv 0 1 0\n", 2, "found nothing");
+    refused("v 0 \\\n0 0\nv 1 0 0\nf 1 2\n", 4, "found 2");
+}
+
 TEST(Obj, RefusesWhatIsNoneAndSaysWhere) {
     const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     refused("", 0, "no face");
