@@ -6,6 +6,7 @@
 #include "apps/cli/arguments.h"
 #include "apps/cli/command.h"
 #include "apps/cli/console.h"
+#include "apps/cli/export_wishes.h"
 #include "apps/cli/imported_file.h"
 #include "apps/cli/scene_file.h"
 #include "apps/cli/scrap.h"
@@ -90,7 +91,7 @@ class ExportCommand final : public Command {
         declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long; else what the scene says");
         declare_number(parser, "--fps", fps, {1e-3, 1000}, "F", "frames a second; else what is usual for the format");
         declare_number(parser, "--at", at, possible_seconds, "T", "the second of the first frame, or of the only one");
-        declare_text(parser, "--of", figures, "A,B", "of a model: figures by name; else all");
+        declare_text(parser, "--of", figures, "A,B", "figures by name, alone; else everything");
         declare_whole(parser, "--joints", joints, {1, 1000}, "N",
                       "of a .glb: so many carry a moving mesh, for engines; else a morph target a key");
         declare_text(parser, "--model", model, "FILE",
@@ -112,11 +113,12 @@ class ExportCommand final : public Command {
         settle(files::frame_number_problem(path));
         canvas::catch_interrupts();
         Run run(open_file(words.scene, words.overrides));
+        if (!until.empty()) check_until(until, run.session.scene());
         auto request = request_for(format, run.session);
         const auto exporter = model.empty() ? format.open(request) : posed_model(format, request);
         write_frames(run, format, request.fps, *exporter);
         settle(exporter->finish());
-        print(report(*exporter));
+        print(report(*exporter, unused_wishes(format, request, size || scale)));
         return done;
     }
 
@@ -211,7 +213,7 @@ class ExportCommand final : public Command {
         return std::ranges::find(session.happenings(), until, &SessionEvent::what) != session.happenings().end();
     }
 
-    std::string report(const files::Exporter& exporter) const {
+    std::string report(const files::Exporter& exporter, const std::vector<std::string>& unused) const {
         const auto& written = exporter.written();
         std::uintmax_t bytes = 0;
         std::error_code unknown;
@@ -219,7 +221,8 @@ class ExportCommand final : public Command {
         auto text = fmt::format("{}: {}, {} kB", path, count_text(count, begin, end), (bytes + 999) / 1000);
         if (written.size() > 1) text += fmt::format(" in {} files", written.size());
         text += '\n';
-        for (const auto& note : exporter.notes()) text += fmt::format("  note: {}\n", note);
+        for (const auto* const notes : {&exporter.notes(), &unused})
+            for (const auto& note : *notes) text += fmt::format("  note: {}\n", note);
         return text;
     }
 

@@ -756,7 +756,7 @@ typedef struct sinew_export {
 typedef struct sinew_export_spec {
     uint32_t struct_size;
     uint32_t figure_count;
-    const char* const* figures; /* of a model: names; none: all */
+    const char* const* figures; /* names, of those that are written alone; none: everything */
     double fps;                 /* frames a second; 0: what is usual for the format */
     double error;               /* by which points may be off between keys: pixels of vectors, millimetres of a .glb;
                                    0: the format's own */

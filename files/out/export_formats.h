@@ -16,6 +16,7 @@ struct ExportFormat {
     std::string_view ending; ///< of the file's name, with the dot, in lower case
     FramesPerFile frames;
     bool is_painted; ///< by canvas/, and written to disk; else made of the scene, as bytes
+    bool is_drawn;   ///< as the scene looks: a picture, vectors or a film; else a model or a trace
     double usual_fps;
     std::string_view about; ///< a line of help
     std::unique_ptr<Exporter> (*open)(const ExportRequest&);

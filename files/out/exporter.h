@@ -28,7 +28,7 @@ using TakeFile = std::function<Failure(const std::filesystem::path& path, std::s
 struct ExportRequest {
     std::filesystem::path path;         ///< of one file, or with a %d or %04d for the number of the frame
     double fps = 30;                    ///< frames per second
-    std::vector<std::string> figures{}; ///< names; empty: all
+    std::vector<std::string> figures{}; ///< names, of those that are written alone; empty: everything
     std::array<int, 2> size{640, 480};  ///< pixels, of formats that are pictures
     std::optional<Color> background{};  ///< of pictures; nothing: the scene's
     std::string follow{};               ///< figure in the middle of pictures; empty: the scene's view

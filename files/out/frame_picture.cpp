@@ -50,10 +50,9 @@ View following(const Session& session, const sinew::Point& middle, int width, in
 void draw_frame(const Session& session, const ExportRequest& request, Picture& picture) {
     picture.width = request.size[0], picture.height = request.size[1];
     const auto middle = request.follow.empty() ? std::nullopt : middle_of(session, request.follow);
-    if (middle)
-        draw(session, following(session, *middle, picture.width, picture.height), picture);
-    else
-        draw(session, picture);
+    const auto view = middle ? following(session, *middle, picture.width, picture.height)
+                             : session.view(picture.width, picture.height);
+    draw(session, view, picture, {}, request.figures);
     if (request.background) picture.background = *request.background;
     if (request.caption.empty()) return;
     const float letters = float(picture.height) / 20;

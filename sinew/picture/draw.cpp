@@ -28,6 +28,7 @@ struct DrawContext {
     std::optional<Point> pointer;
     std::vector<ParticleId> held; ///< by the pointer or a grab event
     const History& history;
+    std::span<const std::string> figures; ///< names of those that are drawn alone; empty: everything
 };
 
 bool is_tube(const Piece& piece) {
@@ -82,13 +83,15 @@ template <class WorldT> class Drawer {
         picture_.background = theme_.background;
         picture_.images.clear();
         for (const auto& [name, image] : context_.images) picture_.images.push_back(image);
-        if (D == 3) draw_floors(scene_, view_, theme_, picture_);
-        if (!scene_.view.plain)
-            ShadowPainter(scene_, world_, view_, context_.images, light_, unit_, cloth_, picture_).paint();
-        if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
-        draw_colliders(scene_, world_, view_, theme_, wall_thickness * unit_, picture_);
-        draw_traces(scene_, context_.history, view_, picture_);
-        for (std::size_t i = 0; i < world_.figures.size(); ++i) figure(world_.figures[i], i);
+        const bool has_all = context_.figures.empty();
+        if (D == 3 && has_all) draw_floors(scene_, view_, theme_, picture_);
+        if (!scene_.view.plain && (D == 2 || has_all)) {
+            ShadowPainter shadows(scene_, world_, view_, context_.images, light_, unit_, cloth_, picture_);
+            shadows.paint([&](const Figure& figure) { return is_shown(figure); });
+        }
+        if (has_all) draw_surroundings();
+        for (std::size_t i = 0; i < world_.figures.size(); ++i)
+            if (is_shown(world_.figures[i])) figure(world_.figures[i], i);
     }
 
   private:
@@ -106,6 +109,16 @@ template <class WorldT> class Drawer {
     DrawOrder<WorldT> order_;
     ProjectedPiece traced_;
     ClothPainter<WorldT> cloth_;
+
+    bool is_shown(const Figure& figure) const {
+        return context_.figures.empty() || std::ranges::find(context_.figures, figure.name) != context_.figures.end();
+    }
+
+    void draw_surroundings() {
+        if (D == 2) draw_walls(scene_, view_, theme_, wall_thickness * unit_, picture_);
+        draw_colliders(scene_, world_, view_, theme_, wall_thickness * unit_, picture_);
+        draw_traces(scene_, context_.history, view_, picture_);
+    }
 
     /// Projects a piece into traced_. False if a particle has been removed or lies behind the eye.
     bool trace(const Piece& piece, const Style& style) { return projector_.project(piece, style, traced_); }
@@ -208,8 +221,10 @@ template <class WorldT> class Drawer {
 
 } // namespace
 
-void draw(const Session& session, const View& view, Picture& picture, OverlaySet overlay) {
-    const DrawContext context{session.images(), session.pointer(), session.held_particles(), session.history()};
+void draw(const Session& session, const View& view, Picture& picture, OverlaySet overlay,
+          std::span<const std::string> figures) {
+    const DrawContext context{session.images(), session.pointer(), session.held_particles(), session.history(),
+                              figures};
     std::visit([&](const auto& world) { Drawer(session.scene(), world, view, context, picture).draw(); },
                session.world());
     draw_overlays(overlay, session.scene(), session.world(), view, picture);

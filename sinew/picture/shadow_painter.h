@@ -58,10 +58,12 @@ template <class WorldT> class ShadowPainter {
         : scene_(scene), world_(world), view_(view), images_(images), theme_(theme_called(scene.view.theme)),
           light_(light), unit_(unit), cloth_(cloth), projector_(scene, world, view), brush_(picture, unit) {}
 
-    void paint() {
+    /// Casts the shadows of the figures for which `is_shown(figure)`.
+    template <class Shown> void paint(Shown&& is_shown) {
         if (D == 3 && (!scene_.world.bounds || scene_.world.bounds->planes.empty())) return;
         for (std::size_t layer = 0; layer < penumbra.size(); ++layer)
             for (std::size_t i = 0; i < world_.figures.size(); ++i) {
+                if (!is_shown(world_.figures[i])) continue;
                 StyleResolver wardrobe(scene_, theme_, i, world_.figures[i].name);
                 const float depth = float(layer + 1) / float(penumbra.size());
                 for (const auto& piece : world_.figures[i].pieces) {

@@ -78,6 +78,45 @@ TEST_F(ExportOptions, UntilAnEventIsTheMomentOfAPicture) {
     EXPECT_FALSE(std::filesystem::exists(folder / "no.jpg"));
 }
 
+TEST_F(ExportOptions, AnEventThatCannotComeIsRefusedBeforeAStep) {
+    const auto refused = [&](const std::string& kind) {
+        const auto run = sinew({"export", "fall.json", "-o", "no.png", "--seconds", "1e9", "--until", kind},
+                               {.environment = {}, .folder = folder.path});
+        EXPECT_EQ(run.code, kind == "hit" ? 1 : 2) << run.err;
+        return run.err;
+    };
+    EXPECT_TRUE(has(refused("tron"), "there is no event called \"tron\""));
+    EXPECT_TRUE(has(refused("tron"), "did you mean \"torn\"?"));
+    EXPECT_TRUE(has(refused("hit"), "waits for no contact of the kind \"hit\""));
+}
+
+TEST_F(ExportOptions, AFormatTellsOptionsThatItHasNoUseFor) {
+    const auto run = sinew({"export", "fall.json", "-o", "a.obj", "--at", "0", "--background", "red", "--caption", "hi",
+                            "--follow", "ball", "--scale", "2", "--joints", "4", "--error", "1"},
+                           {.environment = {}, .folder = folder.path});
+    EXPECT_EQ(run.code, 0) << run.err;
+    for (const char* option : {"--background", "--caption", "--follow", "--size or --scale", "--joints", "--error"})
+        EXPECT_TRUE(has(run.out, std::string("note: ") + option + " is for ")) << option << run.out;
+    const auto used = sinew({"export", "fall.json", "-o", "a.svg", "--seconds", "0.1", "--background", "red",
+                             "--caption", "hi", "--follow", "ball", "--scale", "2", "--error", "1"},
+                            {.environment = {}, .folder = folder.path});
+    EXPECT_FALSE(has(used.out, " is for ")) << used.out;
+}
+
+TEST_F(ExportOptions, AFigureIsDrawnAlone) {
+    const std::vector<std::string> bare{"--at", "0", "--background", "none", "view.plain=true"};
+    export_to("all.png", bare);
+    auto alone = bare;
+    alone.insert(alone.end(), {"--of", "ball"});
+    export_to("ball.png", alone);
+    const auto all = picture("all.png"), ball = picture("ball.png");
+    EXPECT_NE(pixel(ball, 40, 10), 0U);
+    EXPECT_EQ(pixel(all, 40, 10), pixel(ball, 40, 10));
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 25; ++x) EXPECT_EQ(pixel(ball, x, y), 0U) << x << ", " << y; // the rope is at 20
+    EXPECT_NE(all.pixels, ball.pixels);
+}
+
 TEST_F(ExportOptions, AFollowedFigureStaysInTheMiddle) {
     export_to("f-%d.png",
               {"--seconds", "0.75", "--fps", "4", "--follow", "ball", "--background", "none", "view.plain=true"});

@@ -40,7 +40,7 @@ export interface ExportOptions extends OpenOptions {
     seconds?: number;
     /** Frames per second, 30 if left out. */
     fps?: number;
-    /** Of a model: names; none: all. */
+    /** Names, of those that are written alone; none: everything. */
     figures?: string[];
     /** By which points may be off between keys: pixels of vectors, millimetres of a .glb. */
     error?: number;

@@ -70,7 +70,7 @@ class Pictures(State):
 
         A film takes ``seconds`` (the scene's ``duration`` if left out), and the simulation is stepped by them; an .obj,
         .ply or .png is the present moment, or a sequence with a number in its name: ``"silk-%04d.obj"``. ``figures`` are
-        those of a model. ``error`` is by how much points may be off between keys: pixels, in a .glb millimetres. The
+        those that are written alone. ``error`` is by how much points may be off between keys: pixels, in a .glb millimetres. The
         result has the ``files`` and ``notes`` about what the format could not take.
         """
         from .films import export
