@@ -15,7 +15,7 @@ import pytest
 
 import sinew
 from conftest import pendulum, swing, written
-from sinew.study import ResultsError, Study
+from sinew.study import ResultsError, Study, command
 
 
 def table(study):
@@ -189,6 +189,11 @@ def test_parts_are_the_whole(tmp_path):
     keys = ("case", "height", "stretch", "energy", "hash")
     assert [[row[key] for key in keys] for row in table(parts)] == [[row[key] for key in keys] for row in table(whole)]
     assert parts.verify(5) == []
+
+
+def test_a_part_tells_how_many_cases_it_has(tmp_path, capfd):
+    assert command.main([str(written(tmp_path, swing)), "--part", "2/5", "-j", "1"]) == 0
+    assert capfd.readouterr().out.startswith("3 of 12 cases, 0 failed: ")  # 1, 6 and 11
 
 
 def test_a_wrong_row_is_found_out(tmp_path):

@@ -79,7 +79,9 @@ def _run(study: Study, options: argparse.Namespace) -> int:
     finally:
         bar.end()
     where = study._base(options.part) if options.part else study.folder / "index.html"
-    _tell(f"{len(study):,} cases, {failed:,} failed: {where}")
+    number, parts = options.part or (1, 1)
+    share = f"{len(range(number - 1, len(study), parts)):,} of " if options.part else ""
+    _tell(f"{share}{len(study):,} cases, {failed:,} failed: {where}")
     return 0
 
 
