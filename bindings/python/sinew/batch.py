@@ -11,7 +11,7 @@ import numpy.typing as npt
 from . import _core
 from ._numbers import count_of, numbers
 from ._types import Bools, Ids, Reals
-from .errors import ArgumentError
+from .errors import ArgumentError, most_open, too_many
 from .scenes import Scene
 from .simulation import Simulation, open
 
@@ -37,6 +37,8 @@ def batch(scene: Scene, n: int, *, seed: int = 0, vary: Mapping[str, Values] | N
     """
     if index(n) < 1:
         raise ArgumentError(f"a batch has at least one world, not {n}")
+    if n > most_open:
+        raise too_many(f"a batch of {n} worlds has too many open simulations")
     if vary is not None and not isinstance(vary, Mapping):
         raise TypeError(f"what varies is a dict of paths and values, not {type(vary).__name__}")
     if not 0 <= index(threads) <= 1024:
@@ -57,6 +59,8 @@ def _drawn(path: str, given: Values, n: int, random: np.random.Generator) -> npt
     elif isinstance(given, tuple) and len(given) == 2:
         if not np.isfinite(numbers(given, f"{path}: a range has two numbers, not {given!r}")).all():
             raise ArgumentError(f"{path}: a range has two finite numbers, not {given!r}")
+        if given[1] < given[0]:
+            raise ArgumentError(f"{path}: the range ends before it begins: {given[1]} < {given[0]}")
         return random.uniform(given[0], given[1], n)
     column = np.asarray(given)
     if column.ndim == 0 or len(column) != n:

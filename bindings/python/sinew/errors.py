@@ -23,6 +23,9 @@ class ArgumentError(Error, ValueError):
     """A number out of range, an array of the wrong shape, an unknown word."""
 
 
+most_open = 4096  #: simulations of a process
+
+
 class FullError(Error, MemoryError):
     """More than 4096 simulations are open."""
 
@@ -59,7 +62,13 @@ def error_of(status: int, message: str) -> Error:
     """The exception of a sinew_status (bindings/c/sinew.h)."""
     if status == 1:
         return ClosedError("the simulation is closed")
+    if status == 7 and message.endswith("open simulations"):
+        return too_many(message)
     return _of_status.get(status, Error)(message)
+
+
+def too_many(message: str) -> FullError:
+    return FullError(f"{message}: a process has {most_open} at most; close() frees one")
 
 
 def scene_error(rows: Sequence[tuple[Any, ...]]) -> SceneError:

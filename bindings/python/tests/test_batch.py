@@ -92,6 +92,10 @@ def test_what_does_not_fit_is_refused():
         worlds.row("bob/wieght")
     with pytest.raises(ValueError, match="3 values"):
         sinew.batch(pendulum, 3, vary={"world.damping": [1, 2, 3, 4]})
+    with pytest.raises(ValueError, match="world.damping: the range ends before it begins: 0 < 1"):
+        sinew.batch(pendulum, 3, vary={"world.damping": (1, 0)})
+    with pytest.raises(MemoryError, match="4096 at most"):  # at once, before any is opened
+        sinew.batch(pendulum, 10**12)
     with pytest.raises(ValueError):
         sinew.batch(pendulum, 0)
     with pytest.raises(sinew.SceneError, match="damping"):
