@@ -58,15 +58,17 @@ class Animation:
     def __init__(self, simulation: Simulation, seconds: float, size: tuple[int, int]):
         if not duration(seconds) > 0:
             raise ArgumentError(f"an animation lasts longer than {seconds} s")
+        folder = web_folder()
+        if folder is None:
+            raise Error("the package has no engine for the browser; in a source tree ./dev web builds it")
+        self._folder = folder
         self._scene, self._files = simulation.scene, simulation._files
         self._is_float = simulation.precision == "float"
         self._seconds, self._size = seconds, size
 
     def page(self) -> str:
         """HTML of a page without any other file: the engine for the browser and the scene. About 1.5 MB."""
-        folder = web_folder()
-        if folder is None:
-            raise Error("the package has no engine for the browser; in a source tree ./dev web builds it")
+        folder = self._folder
         given = {
             "scene": json.dumps(self._scene), "seconds": self._seconds, "size": self._size,
             "images": {name: _base64(Path(path.decode()).read_bytes()) for name, path in self._files.images},

@@ -32,7 +32,8 @@ class Pictures(State):
 
     def play(self, seconds: float | None = None, width: int | None = None, height: int | None = None) -> Animation:
         """In a notebook, the scene from its start, moving, to be dragged with the pointer; it pauses after ``seconds``,
-        or the scene's ``duration``, unless somebody holds it. It runs in the page by itself, without a network."""
+        or the scene's ``duration``, unless somebody holds it. It runs in the page by itself, without a network. Raises Error
+        where the package has no engine for the browser."""
         from .notebook import Animation
 
         return Animation(self._self, self.duration if seconds is None else seconds, self._view(width, height)[:2])

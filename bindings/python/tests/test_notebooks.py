@@ -14,6 +14,7 @@ import pytest
 import sinew
 from browser import Browser
 from conftest import pendulum
+from sinew import notebook
 from sinew.notebook import modules_of, web_folder
 
 notebooks = sorted((Path(__file__).resolve().parents[3] / "examples" / "notebooks").glob("*.ipynb"))
@@ -63,6 +64,13 @@ def page(tmp_path):
     path = tmp_path / "page.html"
     sinew.open("rope").play(5).save(path)
     return path
+
+
+def test_without_the_engine_for_the_browser_playing_is_refused_at_once(monkeypatch):
+    """Before a notebook asks for the HTML: it would show a traceback of its own machinery, and then the object."""
+    monkeypatch.setattr(notebook, "web_folder", lambda: None)
+    with pytest.raises(sinew.Error, match="no engine for the browser; in a source tree ./dev web builds it"):
+        sinew.open("rope").play(5)
 
 
 def test_an_animation_needs_no_other_file(page):
