@@ -196,6 +196,13 @@ def test_a_part_tells_how_many_cases_it_has(tmp_path, capfd):
     assert capfd.readouterr().out.startswith("3 of 12 cases, 0 failed: ")  # 1, 6 and 11
 
 
+@pytest.mark.parametrize("two", [["--part", "1/2", "--collect"], ["--check", "--verify", "3"], ["--collect", "--verify", "3"]])
+def test_a_study_does_one_thing_at_a_time(tmp_path, two, capfd):
+    with pytest.raises(SystemExit) as ended:
+        command.main([str(written(tmp_path, swing)), *two])
+    assert ended.value.code == 2 and "not allowed with argument" in capfd.readouterr().err
+
+
 def test_a_wrong_row_is_found_out(tmp_path):
     study = Study(written(tmp_path, swing))
     study.run(workers=1)

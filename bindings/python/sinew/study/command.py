@@ -36,11 +36,12 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("-o", "--output", metavar="FOLDER", help="folder of the results")
     parser.add_argument("-j", "--workers", type=_count, metavar="N", help="processes; the number of cores if left out")
     parser.add_argument("--fresh", action="store_true", help="throw earlier results away")
-    parser.add_argument("--check", action="store_true", help="only check the file, and tell the number of cases")
-    parser.add_argument("--part", type=_part, metavar="I/N", help="run the I-th of N parts, into a file of its own")
-    parser.add_argument("--collect", action="store_true", help="put the parts together")
+    instead = parser.add_mutually_exclusive_group()
+    instead.add_argument("--check", action="store_true", help="only check the file, and tell the number of cases")
+    instead.add_argument("--part", type=_part, metavar="I/N", help="run the I-th of N parts, into a file of its own")
+    instead.add_argument("--collect", action="store_true", help="put the parts together")
     parser.add_argument("--parquet", action="store_true", default=None, help="refuse to run where table.parquet cannot be written")
-    parser.add_argument("--verify", type=_count, metavar="N", help="run N of the cases again, and compare their hashes")
+    instead.add_argument("--verify", type=_count, metavar="N", help="run N of the cases again, and compare their hashes")
     return parser
 
 
