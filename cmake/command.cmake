@@ -64,6 +64,9 @@ function(sinew_command name)
     target_link_libraries(${name} PRIVATE canvas sinew fmt::fmt CLI11::CLI11)
     sinew_app(${name})
     target_precompile_headers(${name} REUSE_FROM canvas)
+    if(CMAKE_POSITION_INDEPENDENT_CODE) # the precompiled header has -fPIC, where a program alone has -fPIE
+        target_compile_options(${name} PRIVATE ${CMAKE_CXX_COMPILE_OPTIONS_PIC})
+    endif()
     set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endfunction()
 
