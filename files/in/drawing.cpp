@@ -6,6 +6,7 @@
 
 #include "files/in/body.h"
 #include "files/in/json_building.h"
+#include "files/in/uncrossed.h"
 
 #include <algorithm>
 
@@ -135,44 +136,33 @@ std::vector<Outline> Drawing::outlines_of(const DrawnShape& shape) {
     return outlines;
 }
 
-/// Areas of a shape's closed lines.
-std::vector<Area> Drawing::areas_of(const DrawnShape& shape) {
-    const auto outlines = outlines_of(shape);
-    if (have_crossings(outlines)) return uncrossed_areas(shape, outlines);
+/// Areas of a shape's closed lines, each with its holes.
+std::vector<std::vector<Outline>> Drawing::areas_of(const DrawnShape& shape) {
+    auto outlines = outlines_of(shape);
+    const bool crossed = have_crossings(outlines);
+    if (crossed) outlines = uncrossed(outlines, shape.fill_rule);
+    if (crossed && outlines.empty()) notes_.add(shape.place, "its outlines cross too often");
     std::vector<SvgOutline> closed;
-    for (const auto& outline : outlines)
-        if (collide::twice_area(outline) == 0)
+    for (auto& outline : outlines) {
+        // Of outlines that cross, splinters are left out, too.
+        const double least = crossed ? error_ * length_of(outline, true) / 2 : 0;
+        if (std::abs(collide::twice_area(outline)) <= least)
             notes_.count(shape.place, without_area());
         else
-            closed.push_back({outline, true});
-    std::vector<Area> areas;
-    for (const auto& solid : solids_of(closed, shape.fill_rule).solids) {
+            closed.push_back({std::move(outline), true});
+    }
+    std::vector<std::vector<Outline>> areas;
+    for (const auto& solid : solids_of(closed, crossed ? fill_rules[0] : shape.fill_rule).solids) {
         auto& area = areas.emplace_back();
         area.push_back(solid.outline);
         area.insert(area.end(), solid.holes.begin(), solid.holes.end());
+        if (!crossed) continue;
+        for (auto& outline : area) {
+            outline.erase(outline.begin()); // in the middle of an edge
+            outline = simplified_loop(outline, crossing_error);
+        }
     }
     return areas;
-}
-
-std::vector<Area> Drawing::uncrossed_areas(const DrawnShape& shape, const std::vector<Outline>& outlines) {
-    auto areas = uncrossed(outlines, shape.fill_rule);
-    if (!areas) {
-        notes_.add(shape.place, "its outlines cross too often: it is left out");
-        return {};
-    }
-    std::vector<Area> large;
-    for (auto& area : *areas) {
-        // Slivers and splinters of the simplified outlines are not drawn.
-        const auto is_small = [&](const Outline& loop) {
-            return std::abs(collide::twice_area(loop)) / 2 < error_ * length_of(loop, true) / 4;
-        };
-        for (auto& loop : area) loop = simplified_loop(loop, crossing_error);
-        if (is_small(area[0])) continue;
-        area.erase(std::remove_if(area.begin() + 1, area.end(), is_small), area.end());
-        large.push_back(std::move(area));
-    }
-    if (large.empty()) notes_.count(shape.place, without_area());
-    return large;
 }
 
 std::string Drawing::without_area() const {

@@ -5,7 +5,6 @@
 #include "files/in/notes.h"
 #include "files/in/role.h"
 #include "files/in/simplify.h"
-#include "files/in/uncrossed.h"
 
 #include <functional>
 
@@ -69,8 +68,7 @@ class Drawing {
     void add_area(const DrawnShape& shape, const Worn* worn);
     void add_rope(const DrawnShape& shape);
     std::vector<Outline> outlines_of(const DrawnShape& shape);
-    std::vector<Area> areas_of(const DrawnShape& shape);
-    std::vector<Area> uncrossed_areas(const DrawnShape& shape, const std::vector<Outline>& outlines);
+    std::vector<std::vector<Outline>> areas_of(const DrawnShape& shape);
     std::string without_area() const;
     double thickness() const;
 };

@@ -37,8 +37,6 @@ struct GlbChunks {
 };
 
 GlbChunks chunks_of(std::string_view bytes) {
-    if (bytes.size() < glb_header + chunk_header)
-        throw ImportError{concat("byte ", bytes.size()), "the file breaks off before its first chunk"};
     if (const auto version = word_at(bytes, 4); version != 2)
         throw ImportError{"byte 4", concat("only version 2 of glTF is read, this is version ", version)};
     GlbChunks chunks;
@@ -102,7 +100,7 @@ Affine3 turn_of(const std::vector<double>& q, const JsonNode& node) {
 } // namespace
 
 bool is_glb(std::string_view bytes) {
-    return bytes.size() >= 4 && word_at(bytes, 0) == glb_magic;
+    return bytes.size() >= glb_header && word_at(bytes, 0) == glb_magic;
 }
 
 GltfData::GltfData(const ImportFile& file) {

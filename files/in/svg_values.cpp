@@ -86,11 +86,9 @@ std::optional<Affine> one_transform(std::string_view name, const std::vector<dou
 
 /// Red, green and blue of hsl(), 0 to 255 (CSS Color 4, 7.1): hue in degrees, saturation and lightness from 0 to 1.
 std::array<double, 3> from_hsl(double hue, double saturation, double lightness) {
-    const double turn = hue - 360 * std::floor(hue / 360);
-    const double range = std::clamp(saturation, 0.0, 1.0) * std::min(lightness, 1 - lightness);
+    const double range = saturation * std::min(lightness, 1 - lightness);
     const auto channel = [&](double shift) {
-        double sector = shift + turn / 30;
-        if (sector >= 12) sector -= 12;
+        const double turn = shift + hue / 30, sector = turn - 12 * std::floor(turn / 12);
         return 255 * (lightness - range * std::clamp(std::min(sector - 3, 9 - sector), -1.0, 1.0));
     };
     return {channel(0), channel(8), channel(4)};
@@ -116,7 +114,7 @@ std::optional<std::array<double, 4>> channels(std::string_view text) {
         if (rest.starts_with('/')) rest = skipped(rest.substr(1));
     }
     if (!is_hsl) return result;
-    const auto [red, green, blue] = from_hsl(result[0], result[1] / 255, std::clamp(result[2] / 255, 0.0, 1.0));
+    const auto [red, green, blue] = from_hsl(result[0], result[1] / 255, result[2] / 255);
     return std::array{red, green, blue, result[3]};
 }
 

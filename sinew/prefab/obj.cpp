@@ -157,24 +157,18 @@ class ReadingObj {
 } // namespace
 
 std::string_view take_obj_line(std::string_view& text, std::string& joined, std::size_t& lines) {
-    const auto take = [&] {
+    joined.clear();
+    for (lines = 1;; ++lines) {
         const auto end = std::min(text.find('\n'), text.size());
         auto line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         if (line.ends_with('\r')) line.remove_suffix(1);
-        return line;
-    };
-    const auto goes_on = [](std::string_view line) { return line.ends_with('\\') && line.find('#') == line.npos; };
-    auto line = take();
-    lines = 1;
-    if (!goes_on(line)) return line;
-    joined.clear();
-    for (; goes_on(line); ++lines) {
-        joined.append(line.substr(0, line.size() - 1)) += ' ';
-        line = take();
+        const bool goes_on = line.ends_with('\\') && line.find('#') == line.npos;
+        if (!goes_on && lines == 1) return line;
+        joined += goes_on ? line.substr(0, line.size() - 1) : line;
+        if (!goes_on) return joined;
+        joined += ' ';
     }
-    joined.append(line);
-    return joined;
 }
 
 std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits) {
