@@ -11,6 +11,7 @@ template <int D> struct Distance {
     static constexpr Dimensions dimensions{2, 3};
     static constexpr int length_power = 1;
     static constexpr double period = 0;
+    static constexpr bool never_negative = true;
     static constexpr auto drawn_as = DrawnAs::line;
     static constexpr KindManual manual{.about = "Distance between two particles: a rod, a rope or a spring.",
                                        .drawing = "    a o---------------------o b\n"

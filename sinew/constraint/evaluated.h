@@ -15,6 +15,7 @@
 ///     length_power      power of length in the measure: 1 a length, 2 an area, 3 a volume, 0 an angle
 ///     period            a whole turn for periodic angles; 0 otherwise
 ///     sided             optional: true if mirroring flips the sign although length_power and period do not imply so
+///     never_negative    optional: true for a length
 ///     invariant         optional: false if a rigid motion of all particles changes the measure; such a constraint
 ///                       ties its particles to the world and need not conserve momentum
 ///     drawn_as          optional: a line through the particles, or a filled polygon; not drawn by default
@@ -50,6 +51,11 @@ template <class Kind>
 inline constexpr bool is_invariant = [] {
     if constexpr (requires { Kind::invariant; }) return bool(Kind::invariant);
     return true;
+}();
+template <class Kind>
+inline constexpr bool is_never_negative = [] {
+    if constexpr (requires { Kind::never_negative; }) return bool(Kind::never_negative);
+    return false;
 }();
 template <class Kind>
 inline constexpr DrawnAs is_drawn_as = [] {

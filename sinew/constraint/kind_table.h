@@ -17,6 +17,7 @@ struct KindInfo {
     Dimensions dimensions;
     bool angle = false;   ///< true if the measure is an angle: radians in a world, degrees in a file
     int length_power = 0; ///< of the measure: 1 a length, 2 an area, 3 a volume, 0 an angle
+    bool never_negative = false;
     DrawnAs drawn_as = DrawnAs::nothing;
     KindManual manual{};
 };
@@ -37,6 +38,7 @@ template <class... Kind> constexpr std::array<KindInfo, sizeof...(Kind)> infos_o
                      .dimensions = Kind::dimensions,
                      .angle = Kind::length_power == 0,
                      .length_power = Kind::length_power,
+                     .never_negative = is_never_negative<Kind>,
                      .drawn_as = is_drawn_as<Kind>,
                      .manual = manual_of<Kind>}...};
 }

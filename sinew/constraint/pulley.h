@@ -18,6 +18,7 @@ template <int D> struct Pulley {
     static constexpr Dimensions dimensions{2, 3};
     static constexpr int length_power = 1;
     static constexpr double period = 0;
+    static constexpr bool never_negative = true;
     static constexpr auto drawn_as = DrawnAs::line;
     static constexpr KindManual manual{
         .about = "Length of the line through all particles in order: a rope that slides freely over all "

@@ -86,9 +86,8 @@ void check_measure(const KindInfo& kind, int dimension, const std::optional<doub
                    Document& document) {
     constexpr double half_turn = 180;
     const bool is_plane_angle = dimension == 3 && kind.name == Angle<3>::name;
-    const bool is_length = kind.name == Distance<2>::name || kind.name == Pulley<2>::name;
     if (!value) return;
-    if (is_length && *value < 0)
+    if (kind.never_negative && *value < 0)
         document.error(place, format_text("a {} is never negative, found {}", kind.name, *value));
     if (is_plane_angle && *value < 0)
         document.error(place, format_text("an angle in 3 dimensions has no sign, found {}", *value),

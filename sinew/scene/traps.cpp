@@ -2,6 +2,7 @@
 #include "sinew/math/union_find.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/types.h"
+#include "sinew/world/edit.h"
 #include "sinew/world/islands.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ template <int D, class Real> class TrapCheck {
     void run() {
         strains();
         models();
+        jumps();
     }
 
   private:
@@ -96,6 +98,23 @@ template <int D, class Real> class TrapCheck {
                     if (made.model && i < parts.size())
                         model(*made.model, made.file, parts[i], under("figures", i, "file"));
             });
+    }
+
+    /// Paths of pins that begin elsewhere at time 0: each key is reached evenly from the one before.
+    void jumps() {
+        for (std::size_t i = 0; i < scene_.pins.size(); ++i) {
+            const auto& pin = scene_.pins[i];
+            const auto* path = pin.driver ? std::get_if<PathDriver>(&*pin.driver) : nullptr;
+            const auto held = find_particle(world_, pin.particle);
+            if (!path || !held || path->keys.empty() || path->keys.front().at > 0) continue;
+            const auto from = pin.to ? pin.to->as<D, Real>() : *position_of(world_, *held);
+            const auto to = path->keys.front().to.as<D, Real>();
+            constexpr Real rounding = Real(1e-6);
+            if (distance(from, to) > rounding * (Real(1) + norm(to)))
+                document_.warn(under("pins", i, "keys/0"),
+                               "a key at time 0 is a jump: the particle is held elsewhere and moves there in one step",
+                               "give the key the time at which it is to be reached, or begin at the held position");
+        }
     }
 
     void model(const MeshModel& model, std::string_view file, std::size_t parts, const std::string& place) {

@@ -164,6 +164,7 @@ std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std:
 template <int D, class Real>
 void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId, 2>> ends,
                    const ConstraintSpec<Real>& spec, IdList<ConstraintId>& added) {
+    if (spec.limits && !detail::are_possible<Distance<D>>(spec.limits->low, spec.limits->high)) return;
     auto& table = std::get<kind_number<Distance, D>>(world.constraints);
     const auto& handles = world.particles.handles;
     for (const auto& [a, b] : ends)

@@ -111,8 +111,8 @@ template <int D, class Real> ParticleId add_particle(World<D, Real>& world, cons
 template <int D, class Real> std::size_t remove_particles(World<D, Real>& world, std::span<const ParticleId> ids);
 
 /// Adds a constraint of the kind numbered `kind` over `members`. Returns nothing if a member is gone or named twice, if
-/// the number of members is not the kind's, or if the limits are impossible: an angle in 3D has no sign, so none of its
-/// limits is negative.
+/// the number of members is not the kind's, or if the limits are impossible: a length is never negative, nor, in
+/// 3D, an angle.
 template <int D, class Real>
 std::optional<ConstraintId> add_constraint(World<D, Real>& world, int kind, std::span<const ParticleId> members,
                                            const ConstraintSpec<Real>& spec);
@@ -125,7 +125,7 @@ std::optional<ConstraintId> add(World<D, Real>& world, std::initializer_list<Par
 }
 
 /// Adds many distances of one spec, in a fraction of the time of as many calls of add_constraint. Appends their ids to
-/// `added`; pairs whose ends are gone or equal are skipped.
+/// `added`; pairs whose ends are gone or equal are skipped, and all of them where the limits are impossible.
 template <int D, class Real>
 void add_distances(World<D, Real>& world, std::span<const std::array<ParticleId, 2>> ends,
                    const ConstraintSpec<Real>& spec, IdList<ConstraintId>& added);

@@ -71,11 +71,11 @@ template <class Kind, class Real> Real unwrap(Real measure, Real low, Real high)
     }
 }
 
-/// True for limits that a measure can have. Angles in space have no sign.
+/// True for limits that a measure can have. Angles in space have no sign, lengths are never negative.
 template <class Kind, class Real> bool are_possible(Real low, Real high) {
     if constexpr (std::is_same_v<Kind, Angle<3>>)
         return high >= Real(0) && (low >= Real(0) || low <= -limit::measure<float>);
-    return true;
+    return !is_never_negative<Kind> || max(low, high) >= Real(0); // reversed limits are held at the lower
 }
 
 /// Violation of the limits as a fraction of the violated limit; the violation itself for an angle, and for a limit of

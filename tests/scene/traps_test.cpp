@@ -179,6 +179,20 @@ TEST(BreakingStrain, OfARigidLinkIsWarnedOf) {
         << "cloth tears by what the sweep leaves of its strain";
 }
 
+TEST(Path, ThatBeginsElsewhereAtTimeZeroIsAJump) {
+    const auto path = [](const std::string& keys) {
+        return said_of(R"({"sinew": 1, "figures": [{"prefab": "rope", "at": [1, 2], "pinned": "none"}],
+            "pins": [{"particle": "rope/start", "driver": "path", "keys": [)" +
+                       keys + "]}]}");
+    };
+    const auto far = path(R"({"at": 0, "to": [3, 2]}, {"at": 1, "to": [4, 2]})");
+    EXPECT_TRUE(says(far.warnings, "a key at time 0 is a jump")) << far.errors;
+    EXPECT_TRUE(says(far.warnings, "/pins/0/keys/0"));
+    EXPECT_TRUE(far.opened);
+    EXPECT_EQ(path(R"({"at": 0, "to": [1, 2]}, {"at": 1, "to": [4, 2]})").warnings, "");
+    EXPECT_EQ(path(R"({"at": 0.5, "to": [3, 2]})").warnings, "");
+}
+
 constexpr const char* two_triangles = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n";
 
 TEST(MeshFile, IsWeldedAndTheNumberTold) {

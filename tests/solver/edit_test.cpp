@@ -181,6 +181,25 @@ TYPED_TEST(Edit, ReversedLimitsAreHeldAtTheLower) {
     EXPECT_EQ(std::get<0>(world.constraints).high(1), 3);
 }
 
+TYPED_TEST(Edit, ALengthIsNeverNegative) {
+    using Vector = typename TypeParam::Vector;
+    using Real = typename TypeParam::Real;
+    typename TypeParam::World world;
+    const auto ids = chain(world, 3, at<Vector>(0, 0), at<Vector>(1, 0));
+    const auto link = *add<Distance>(world, {ids[0], ids[2]});
+    EXPECT_FALSE(set_limits(world, link, exactly(Real(-1))));
+    EXPECT_FALSE(add<Distance>(world, {ids[0], ids[2]}, {.limits = at_most(Real(-1))}));
+    EXPECT_FALSE(add<Pulley>(world, {ids[0], ids[1], ids[2]}, {.limits = exactly(Real(-1))}));
+    IdList<ConstraintId> added;
+    add_distances(world, std::vector<std::array<ParticleId, 2>>{{ids[0], ids[2]}}, {.limits = exactly(Real(-1))},
+                  added);
+    EXPECT_TRUE(added.empty());
+    run(world, 0.1);
+    EXPECT_EQ(constraint_state(world, link)->measure, 2);
+    EXPECT_TRUE(set_limits(world, link, {Real(-1), Real(3)})) << "a lower limit that nothing reaches";
+    EXPECT_TRUE(set_limits(world, link, exactly(Real(0))));
+}
+
 TYPED_TEST(Edit, AnImpulseChangesMomentumByItself) {
     using Vector = typename TypeParam::Vector;
     typename TypeParam::World world;

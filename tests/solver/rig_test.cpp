@@ -44,9 +44,10 @@ using Texts = std::vector<std::string>;
 TEST(RigCheck, FindsLimitsThatNothingCanMeet) {
     Rig rig({{{0, 0}}, {{1, 0}}, {{2, 0}}});
     rig.link(0, 1, {}, "upper");
-    rig.link(1, 2, {.limits = at_most(-1.0)});
+    rig.link(1, 2);
     auto& links = std::get<0>(rig.world.constraints);
     links.limits.set(0, 2, links.high(0)); // as only a program can say it: scenes are refused
+    links.limits.set(1, -limit::measure<double>, -1);
     EXPECT_EQ(rig.faults(), (Texts{"rig/upper its low limit is above its high one: its limits are 2 to 1",
                                    "distance of rig/b, rig/c no distance is below 0: its limits are at most -1"}));
 }
