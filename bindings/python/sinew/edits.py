@@ -40,11 +40,15 @@ class Edits(Names):
             raise ArgumentError(f"the lower limit is above the higher: {low} > {high}")
         if low == np.inf or high == -np.inf:
             raise ArgumentError(f"no measure is within these limits: {low} to {high}")
-        number, joined = self._kind(kind), self._arities[kind]
-        if len(particles) != joined:
-            raise ArgumentError(f"a constraint of kind {kind!r} joins {joined} particles, not {len(particles)}")
+        number = self._kind(kind)
         members = np.array([self._id(particle) for particle in particles], np.uint64)
-        return self._core.add_constraint(number, members, *limits, compliance, max_force, breaking_strain)
+        try:
+            return self._core.add_constraint(number, members, *limits, compliance, max_force, breaking_strain)
+        except ArgumentError as problem:
+            if not str(problem).endswith("so many particles"):
+                raise
+            message = f"a constraint of kind {kind!r} joins {self._arities[kind]} particles, not {len(particles)}"
+            raise ArgumentError(message) from None
 
     def remove_constraint(self, which: str | int) -> None:
         """Removes the constraint with this name or id. Raises NotFoundError."""

@@ -108,7 +108,7 @@ class Names(State):
 
     @property
     def _arities(self) -> dict[str, int]:
-        """How many particles a constraint joins, by its kind."""
+        """How many particles a constraint joins at least, by its kind."""
         return {kind["name"]: kind["particles"] for kind in json.loads(_core.describe("kinds"))[str(self.dimension)]}
 
     def _kind(self, name: str) -> int:

@@ -43,9 +43,23 @@ def test_numbers_that_only_the_scene_sets(sim, name):
         setattr(sim, name, getattr(sim, name))
 
 
+def test_areas_and_pulleys_join_any_number_of_particles():
+    sim = sinew.from_arrays([[0, 0], [1, 0], [1, 1], [0, 1], [-1, 0.5]], [[0, 1]])
+    corners = [int(i) for i in sim["body"].ids]
+    for kind in ("area", "pulley"):
+        for count in (3, 4, 5):
+            assert sim.constraint(sim.add_constraint(kind, corners[:count])).error == 0
+    with pytest.raises(ValueError, match="kind 'area' joins 3 particles, not 2"):
+        sim.add_constraint("area", corners[:2])
+    with pytest.raises(ValueError, match="compliance|number|range"):
+        sim.add_constraint("area", corners, compliance=-1)
+
+
 def test_a_constraint_tells_how_many_particles_its_kind_joins(sim):
     with pytest.raises(ValueError, match="kind 'distance' joins 2 particles, not 1"):
         sim.add_constraint("distance", ["bob/head"])
+    with pytest.raises(ValueError, match="kind 'distance' joins 2 particles, not 3"):
+        sim.add_constraint("distance", ["bob/head", "bob/left_hand", "bob/right_hand"])
     with pytest.raises(ValueError, match="did you mean 'distance'"):
         sim.add_constraint("distanc", ["bob/head", "bob/left_hand"])
 
