@@ -144,7 +144,7 @@ std::vector<std::vector<Outline>> Drawing::areas_of(const DrawnShape& shape) {
     if (crossed && outlines.empty()) notes_.add(shape.place, "its outlines cross too often");
     std::vector<SvgOutline> closed;
     for (auto& outline : outlines) {
-        // Of outlines that cross, splinters are left out, too.
+        // Splinters of outlines that cross are left out, too.
         const double least = crossed ? error_ * length_of(outline, true) / 2 : 0;
         if (std::abs(collide::twice_area(outline)) <= least)
             notes_.count(shape.place, without_area());
