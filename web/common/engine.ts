@@ -1,4 +1,5 @@
 import { catalogue, load, loadFloat, type CatalogueScene, type Engine, type OpenOptions, type Painter } from "../sinew/index.js";
+import { fetchOwn, loadOwn } from "./fresh.js";
 
 const files = import.meta.glob<string>("../sinew/images/**/*.png", { query: "?url", import: "default", eager: true });
 const addresses = new Map(Object.entries(files).map(([path, address]) => [path.replace("../sinew/images/", ""), address]));
@@ -11,7 +12,8 @@ function bitmap(name: string): Promise<ImageBitmap> | undefined {
     const address = addresses.get(name);
     if (!address) return undefined;
     let found = bitmaps.get(name);
-    if (!found) bitmaps.set(name, (found = fetch(address).then((answer) => answer.blob()).then((blob) => createImageBitmap(blob))));
+    if (!found) bitmaps.set(name, (found = fetchOwn(address).then((answer) => answer.blob()).then((blob) => createImageBitmap(blob))));
+    found.catch(() => bitmaps.delete(name)); // without a network: another time
     return found;
 }
 
@@ -29,7 +31,7 @@ const texts = import.meta.glob<string>("../../scenes/*.json", { query: "?url", i
 /** The text of a scene of the catalogue; undefined if none is called so. */
 export async function sceneText(name: string): Promise<string | undefined> {
     const address = texts[`../../scenes/${name}.json`];
-    return address && (await fetch(address)).text();
+    return address && (await fetchOwn(address)).text();
 }
 
 /** Images and models of the catalogue, for any scene that names them. */
@@ -51,7 +53,7 @@ export class Assets {
             if (image) this.images.set(name, { width: image.width, height: image.height });
         };
         const loadModel = async (name: string, address: string): Promise<void> => {
-            if (!this.models.has(name)) this.models.set(name, await (await fetch(address)).text());
+            if (!this.models.has(name)) this.models.set(name, await (await fetchOwn(address)).text());
         };
         await Promise.all([
             ...[...addresses.keys()].filter((name) => isIn(text, name)).map(loadImage),
@@ -103,7 +105,7 @@ export async function loadEngine(threads = 1): Promise<Loaded> {
 /** Loads what a scene, or a pair of an address, asks for: the module of float worlds, images, models. */
 export async function provide({ engine, assets }: Loaded, text: string, pairs: string[] = []): Promise<void> {
     const isFloat = asksForFloat(text) || pairs.some((pair) => /^(solver\.)?precision=float$/.test(pair));
-    await Promise.all([isFloat ? loadFloat(engine) : undefined, assets.prepare(text)]);
+    await Promise.all([isFloat ? loadOwn(loadFloat(engine)) : undefined, assets.prepare(text)]);
 }
 
 const asksForFloat = (text: string): boolean => /"precision"\s*:\s*"float"/.test(text);

@@ -1,6 +1,7 @@
 import { loadExporter, type Exporter } from "../sinew/index.js";
 import { announce } from "../common/dom.js";
 import type { Assets } from "../common/engine.js";
+import { loadOwn } from "../common/fresh.js";
 import { offer } from "./files.js";
 
 /** Files of other programs that the menu offers. */
@@ -23,7 +24,7 @@ let exporter: Promise<Exporter> | undefined;
 /** Writes the scene from its start, for as long as it says; the module for it is loaded the first time. */
 export async function exportScene(text: string, overrides: string[], assets: Assets, name: string, ending: string): Promise<void> {
     announce("Writing the file…");
-    exporter ??= loadExporter();
+    exporter ??= loadOwn(loadExporter());
     exporter.catch(() => (exporter = undefined)); // without a network: another time
     const { files, notes } = await (await exporter).write(text, `${name}.${ending}`, {
         overrides: [...overrides, "solver.precision=double"], // the only worlds of the module

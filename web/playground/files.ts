@@ -1,3 +1,4 @@
+import { watchWorker } from "../common/fresh.js";
 import type { Stage } from "../common/stage.js";
 
 /** Offers a file for saving. */
@@ -51,7 +52,7 @@ const mostWaiting = 2; // frames; where the encoder is slower, frames are left o
 
 /** Films the canvas as an animated GIF, which a worker encodes meanwhile. */
 export function filmGif(stage: Stage): Film {
-    const worker = new Worker(new URL("./gif.worker.ts", import.meta.url), { type: "module" });
+    const worker = watchWorker(new Worker(new URL("./gif.worker.ts", import.meta.url), { type: "module" }));
     const scale = Math.min(1, gifSide / Math.max(stage.canvas.width, stage.canvas.height));
     const small = document.createElement("canvas");
     small.width = Math.max(Math.round(stage.canvas.width * scale), 1);

@@ -1,5 +1,6 @@
 import type { Imported } from "../sinew/index.js";
 import type { Assets } from "../common/engine.js";
+import { tellGone, watchWorker } from "../common/fresh.js";
 import type { Answer, Order } from "./imports.worker.js";
 
 /** Endings of files that a scene is made of; where several are brought, the first of this list is, and refers to others. */
@@ -37,12 +38,13 @@ export async function readForeign(main: File, all: File[], assets: Assets): Prom
 }
 
 function ask(order: Order): Promise<Imported> {
-    const worker = new Worker(new URL("./imports.worker.ts", import.meta.url), { type: "module" });
+    const worker = watchWorker(new Worker(new URL("./imports.worker.ts", import.meta.url), { type: "module" }));
     const answer = new Promise<Imported>((resolve, reject) => {
         const timer = setTimeout(() => reject(new Error(`${order.name} takes more than ${longest / 1000} seconds to read.`)), longest);
         worker.addEventListener("error", () => reject(new Error("The module that reads such files cannot be loaded.")));
         worker.addEventListener("message", ({ data }: MessageEvent<Answer>) => {
             clearTimeout(timer);
+            if ("problem" in data && data.isGone) tellGone();
             if ("problem" in data) reject(new Error(data.problem));
             else resolve(data.imported);
         });

@@ -1,9 +1,10 @@
 import type { CatalogueScene } from "../sinew/index.js";
+import { watchWorker } from "../common/fresh.js";
 import type { Order } from "./thumbnails.worker.js";
 
 /** Live pictures of scenes, stepped and painted by a worker, so that the page never waits for them. */
 export class Thumbnails {
-    private readonly worker = new Worker(new URL("./thumbnails.worker.ts", import.meta.url), { type: "module" });
+    private readonly worker = watchWorker(new Worker(new URL("./thumbnails.worker.ts", import.meta.url), { type: "module" }));
     private readonly names = new Map<Element, string>();
     private readonly given = new Set<string>();
     private readonly observer = new IntersectionObserver((entries) => {

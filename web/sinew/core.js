@@ -20,7 +20,7 @@ async function compiled(source) {
 
 /** Servers that name another type than application/wasm cannot stream. */
 async function fromResponse(response) {
-    if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+    if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`, { cause: response });
     const streams = response.headers.get("content-type")?.startsWith("application/wasm");
     return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }

@@ -68,6 +68,28 @@ test("a tab that outlives a deployment is loaded again when a chunk is gone, onc
     await context.close();
 });
 
+const goTo = (hash) => (page) => page.evaluate((hash) => (location.hash = hash), hash);
+const writeModel = async (page) => {
+    await page.locator("summary", { hasText: "save" }).click();
+    await page.getByRole("button", { name: "model (glTF)" }).click();
+};
+for (const [what, file, ask] of [
+    ["text of a scene", /\/boxes-.*\.json$/, goTo("#scene=boxes")],
+    ["module of float worlds", /\/sinew-float.*\.wasm$/, goTo("#scene=rope&solver.precision=float")],
+    ["module of exports", /\/sinew-export.*\.wasm$/, writeModel],
+    ["worker of the gallery", /\/thumbnails.*\.js$/, goTo("#")],
+])
+    test(`a tab that outlives a deployment is loaded again when this is gone: the ${what}`, { timeout: 60_000 }, async () => {
+        const context = await site.browser.newContext({ ...desktop, serviceWorkers: "block" }), page = await context.newPage();
+        await page.goto(`${site.address}#scene=rope`);
+        await playing(page);
+        await page.route(file, (route) => route.fulfill({ status: 404 }));
+        const loaded = page.waitForEvent("load", { timeout: 20_000 });
+        await ask(page);
+        await loaded;
+        await context.close();
+    });
+
 test("a new scene and a file open from the gallery", { timeout: 60_000 }, () =>
     site.on(desktop, "", async (page) => {
         await page.waitForFunction(() => window.sinew?.scenes);
