@@ -50,6 +50,20 @@ test("every tool of the phone's bar is on the page, undo and measure too", { tim
         assert.equal(await page.evaluate(() => window.sinew.stage.player.state().tool), "measure");
     }));
 
+for (const [width, height] of [[568, 320], [740, 360], [844, 390], [915, 412], [1280, 540]])
+    test(`every tool of a phone on its side is in sight, and the scene has most of the page: ${width} x ${height}`, { timeout: 60_000 }, () =>
+        site.on({ ...phone, viewport: { width, height } }, "#scene=rope", async (page) => {
+            await playing(page);
+            for (const button of await page.locator("#tools button").all()) {
+                const box = await button.boundingBox();
+                assert.ok(box.y >= 0 && box.y + box.height <= height && box.x + box.width <= width, `${await button.getAttribute("title")} ends at ${box.y + box.height}`);
+                assert.ok(box.width >= 40 && box.height >= 40, "as large as a finger");
+            }
+            const scene = await page.locator("#stage").boundingBox(), side = width > 860 ? 340 : 0;
+            assert.ok(scene.height >= 0.6 * height && scene.width >= 0.75 * (width - side), `${scene.width} x ${scene.height}`);
+            assert.ok((await page.locator("#time .timeline").boundingBox()).width >= 80, "a timeline to drag along");
+        }));
+
 test("a tab that outlives a deployment is loaded again when a chunk is gone, once", { timeout: 60_000 }, async () => {
     const context = await site.browser.newContext({ ...desktop, serviceWorkers: "block" });
     const page = await context.newPage();
