@@ -14,7 +14,7 @@ import { Menu } from "./menu.js";
 import { isForeign, mainOf, readForeign } from "./imports.js";
 import { NotesList } from "./notes.js";
 import { Panel } from "./panel.js";
-import { addressOf, both, unnamed } from "./share.js";
+import { addressOf, isBoth, unnamed } from "./share.js";
 import { TimeBar } from "./timebar.js";
 import { Toolbar } from "./toolbar.js";
 
@@ -108,7 +108,7 @@ export class App {
     private async open({ scene, text, name, pairs }: Address): Promise<void> {
         const own = text ?? await sceneText(scene!);
         if (own === undefined) throw new Error(`No scene is called "${scene}".`);
-        const isSplit = pairs.includes(both), overrides = pairs.filter((pair) => pair !== both);
+        const isSplit = pairs.some(isBoth), overrides = pairs.filter((pair) => !isBoth(pair));
         await provide(this, own, overrides);
         this.show({ name: text === undefined ? scene! : name ?? unnamed, text: own, isOfCatalogue: text === undefined, pairs: overrides, ...aboutOf(own) });
         this.split(isSplit);

@@ -14,7 +14,8 @@ export async function addressOf(engine: Engine, stage: Stage, opened: Opened, te
 }
 
 /** The pair of an address that shows both modes beside each other. */
-export const both = "mode=both";
+const both = "mode=both";
+export const isBoth = (pair: string): boolean => /^(solver\.)?mode=both$/.test(pair);
 /** Name of a scene that an address holds without one. */
 export const unnamed = "shared scene";
 

@@ -25,6 +25,12 @@ test("both modes in an address open both", { timeout: 60_000 }, () =>
         await page.waitForFunction(() => !location.hash.includes("both"), null, { timeout: 10_000 });
     }));
 
+test("both modes in an address are called by either name of the mode", { timeout: 60_000 }, () =>
+    site.on(desktop, "#scene=rope&solver.mode=both", async (page) => {
+        await playing(page);
+        assert.equal(await page.evaluate(() => window.sinew.stage.player.state().panes), 2);
+    }));
+
 for (const width of [360, 480, 600, 680, 742, 800])
     test(`every button of the menu is on the page: ${width} pixels`, { timeout: 60_000 }, () =>
         site.on({ viewport: { width, height: 800 } }, "#scene=rope", async (page) => {
