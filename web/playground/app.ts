@@ -118,7 +118,7 @@ export class App {
     async openText(text: string, name: string): Promise<void> {
         try {
             await provide(this, text);
-            this.show({ name: name.replace(/\.json$/, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) });
+            this.show({ name: name.replace(/\.json$/i, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) });
             await this.writeAddress();
         } catch (error) {
             announce(messageOf(error));
@@ -265,7 +265,7 @@ export class App {
     }
 
     private get fileName(): string {
-        return this.opened?.name.replaceAll(" ", "_") ?? "scene";
+        return this.opened?.name ?? "scene";
     }
 
     saveScene(): void {

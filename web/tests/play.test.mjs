@@ -134,7 +134,7 @@ test("the name of a file is kept, by its address too", { timeout: 60_000 }, () =
         assert.equal(await page.evaluate(() => window.sinew.opened.name), "my rope");
         await page.locator("summary", { hasText: "save" }).click();
         const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "scene (JSON)" }).click()]);
-        assert.equal(download.suggestedFilename(), "my_rope.json");
+        assert.equal(download.suggestedFilename(), "my rope.json");
     }));
 
 test("the focus goes with the keyboard: from a card to the scene, and back", { timeout: 60_000 }, () =>
