@@ -60,7 +60,7 @@ export class App {
                 { name: "open a file…", press: () => this.chooseFile() }] },
             { name: "theme", icon: "theme", tip: "light or dark  (t)", press: () => this.switchTheme() },
             { name: "keys", icon: "help", tip: "keys and buttons  (F1)", ofScene: true, press: () => this.help.showModal() },
-            { name: "panel", icon: "panel", tip: "the panel", ofScene: true, press: () => this.panel?.open() },
+            { name: "panel", icon: "panel", tip: "the panel", ofScene: true, press: () => this.openPanel() },
         ]);
         addEventListener("hashchange", () => void this.follow(location.hash));
         connectKeys(this, this.help);
@@ -91,7 +91,7 @@ export class App {
         const gallery = await this.loadGallery();
         if (!byId("player").hidden) return; // a scene was opened meanwhile
         gallery.show(true);
-        if (hadFocus && this.opened) gallery.focus(this.opened.name);
+        if (hadFocus && this.opened) gallery.focus(this.opened.isOfCatalogue ? this.opened.name : undefined);
     }
 
     /** The gallery and the catalogue come when they are first shown. */
@@ -190,6 +190,11 @@ export class App {
         this.rescan();
         this.panel?.introduce(this.opened!.name, this.opened!.about, this.opened!.source, this.mode);
         this.changed();
+    }
+
+    /** Opens or closes the drawer of a narrow page. */
+    openPanel(on?: boolean): void {
+        this.panel?.open(on);
     }
 
     switchTheme(): void {

@@ -31,6 +31,8 @@ export class Gallery {
     private readonly cards = new Map<HTMLElement, { text: string; kind: string; name: string }>();
     private readonly kinds = new Map<string, HTMLButtonElement>();
     private kind = "";
+    /** The element that had the focus last; the first button before. */
+    private last: HTMLElement | null = null;
     private readonly thumbnails: Thumbnails;
 
     constructor(scenes: CatalogueScene[], module: WebAssembly.Module, { blank, file }: GalleryActions) {
@@ -38,6 +40,7 @@ export class Gallery {
         const kinds = [...new Set(scenes.map((scene) => scene.category))], first = best.flatMap((name) => scenes.find((scene) => scene.name === name) ?? []);
         const rest = scenes.filter((scene) => !first.includes(scene));
         for (const kind of ["", ...kinds]) this.kinds.set(kind, el("button", { type: "button", "aria-pressed": String(kind === ""), onclick: () => this.choose(kind) }, kind || "all"));
+        this.root.addEventListener("focusin", ({ target }) => (this.last = target as HTMLElement));
         this.root.append(
             el("div", { class: "hero" },
                 el("h1", {}, "Ropes, cloth, ragdolls: drag anything"),
@@ -50,6 +53,7 @@ export class Gallery {
             this.section("begin here", "Six to begin with", first, "cards few"),
             ...kinds.map((kind) => this.section(kind, about[kind] ?? "", rest.filter((scene) => scene.category === kind))),
             this.none);
+        this.last = this.root.querySelector("button");
     }
 
     private section(name: string, words: string, scenes: CatalogueScene[], look = "cards"): HTMLElement {
@@ -63,9 +67,10 @@ export class Gallery {
         this.filter();
     }
 
-    /** Puts the focus on the card of a scene. */
-    focus(name: string): void {
-        for (const [card, one] of this.cards) if (one.name === name) card.focus();
+    /** Puts the focus on the card of a scene; without a name, or one that is not here, on what had it last. */
+    focus(name: string | undefined): void {
+        const card = [...this.cards].find(([, one]) => one.name === name)?.[0];
+        (card ?? this.last)?.focus();
     }
 
     private card(scene: CatalogueScene): HTMLElement {
@@ -75,7 +80,7 @@ export class Gallery {
             el("span", { class: "name" }, words(scene.name)));
         this.thumbnails.add(canvas, scene.name);
         for (const [event, on] of [["pointerenter", true], ["focus", true], ["pointerleave", false], ["blur", false]] as const)
-            card.addEventListener(event, () => this.thumbnails.prefer(scene.name, on));
+            card.addEventListener(event, () => (event !== "focus" || card.matches(":focus-visible")) && this.thumbnails.prefer(scene.name, on));
         const text = [scene.name, words(scene.name), scene.category, scene.about, scene.source].join(" ").toLowerCase();
         this.cards.set(card, { text, kind: scene.category, name: scene.name });
         return card;

@@ -36,7 +36,7 @@ export function connectKeys(app: App, help: HTMLDialogElement): void {
         else if (tool) player.setTool(tool);
         else if (overlay) player.setOverlays(toggled(player.state().overlays, overlay));
         else if (name === "space" && event.target !== document.getElementById("stage")) return;
-        else if (name === "escape" && document.body.classList.contains("drawer")) document.body.classList.remove("drawer");
+        else if (name === "escape" && document.body.classList.contains("drawer")) app.openPanel(false);
         else if (name === "space" || ofPlayer.has(name) && !["ctrl+c", "ctrl+v", "ctrl+n", "ctrl+shift+s", "tab", "escape", "f2"].includes(name)) player.key(name);
         else return;
         event.preventDefault();

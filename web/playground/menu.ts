@@ -35,6 +35,7 @@ export class Menu {
         const details = el("details", { class: "list" },
             el("summary", { class: "button quiet", title: item.tip, "aria-label": item.name }, icon(item.icon), el("span", {}, item.name)),
             el("div", {}, ...item.items!.map(({ name, press }) => el("button", { class: "quiet", type: "button", onclick: () => {
+                details.querySelector("summary")!.focus(); // else the focus is lost with the list
                 details.removeAttribute("open");
                 press();
             } }, name))));

@@ -192,7 +192,7 @@ export class Panel {
     open(on = !document.body.classList.contains("drawer")): void {
         document.body.classList.toggle("drawer", on);
         if (on) this.heads[this.tab].focus();
-        else byId("stage").focus({ preventScroll: true });
+        else document.querySelector<HTMLElement>(".menu-panel")?.focus();
         this.actions.changed();
     }
 }

@@ -148,6 +148,33 @@ test("the focus goes with the keyboard: from a card to the scene, and back", { t
         await page.waitForFunction(() => document.activeElement?.getAttribute("href") === "#scene=curtain");
     }));
 
+test("the focus goes with the keyboard: from the list of files to its head, to a new scene and back", { timeout: 60_000 }, () =>
+    site.on(desktop, "#scene=rope", async (page) => {
+        await playing(page);
+        await page.locator("summary", { hasText: "save" }).focus();
+        for (const key of ["Enter", "Tab"]) await page.keyboard.press(key);
+        await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);
+        assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "save");
+        await page.evaluate(() => (location.hash = "#"));
+        await page.getByRole("button", { name: "new scene" }).focus();
+        await page.keyboard.press("Enter");
+        await page.waitForFunction(() => document.activeElement.id === "stage");
+        await page.evaluate(() => (location.hash = "#"));
+        await page.waitForFunction(() => document.activeElement.textContent === "new scene", null, { timeout: 10_000 });
+    }));
+
+test("the focus goes with the keyboard: into the drawer of a narrow page, and back to its button", { timeout: 60_000 }, () =>
+    site.on({ viewport: { width: 742, height: 800 } }, "#scene=rope", async (page) => {
+        await playing(page);
+        const focused = () => page.evaluate(() => document.activeElement.getAttribute("aria-label") ?? document.activeElement.textContent);
+        await page.getByRole("button", { name: "panel", exact: true }).focus();
+        await page.keyboard.press("Enter");
+        assert.equal(await focused(), "parameters");
+        await page.keyboard.press("Escape");
+        await page.locator("#side").waitFor({ state: "hidden" });
+        assert.equal(await focused(), "panel");
+    }));
+
 test("the gallery has the best first, each scene once, and filters by kind", { timeout: 60_000 }, () =>
     site.on(desktop, "", async (page) => {
         await page.waitForFunction(() => window.sinew?.scenes);
@@ -173,6 +200,13 @@ test("a card shows classic beside physical while the pointer is on it", { timeou
         await page.waitForFunction(() => document.querySelector('.card[href="#scene=ragdoll_pose"] canvas').dataset.modes === "2", null, { timeout: 10_000 });
         await page.mouse.move(2, 2);
         await page.waitForFunction(() => document.querySelector('.card[href="#scene=ragdoll_pose"] canvas').dataset.modes === "1", null, { timeout: 10_000 });
+        await card.click();
+        await playing(page);
+        await page.goBack();
+        await page.waitForFunction(() => document.activeElement.getAttribute("href") === "#scene=ragdoll_pose");
+        await page.mouse.move(2, 2);
+        // A card shows one mode for a focus that the pointer brought.
+        await page.waitForFunction(() => document.querySelector('.card[href="#scene=ragdoll_pose"] canvas').dataset.modes === "1", null, { timeout: 20_000 });
     }));
 
 test("the module of float worlds is loaded when a scene asks for it; an open page goes to float and back", { timeout: 60_000 }, async () => {
