@@ -4,30 +4,22 @@
 #include "sinew/math/trig.h"
 #include "sinew/picture/collider_colors.h"
 #include "sinew/picture/outline.h"
+#include "sinew/picture/solid_faces.h"
 #include "sinew/picture/surface.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace sinew {
 namespace {
 
-using Position = Vec3<double>;
-
-/// A face of a solid: corners counter-clockwise seen from outside.
-struct SolidFace {
-    std::vector<Position> corners;
-    Position normal{};
-    Color color{};
-};
-
-template <int D, class Real> Position placed_in_space(const Vec<D, Real>& vector) {
-    Position wide{};
-    for (int i = 0; i < D; ++i) wide[i] = double(vector[i]);
-    return wide;
-}
-
-constexpr int circle_corners = 32; ///< corners of a circle
+using solid::circle_corners;
+using solid::placed_in_space;
+using solid::Position;
+using solid::SolidFace;
 
 /// Outlines of the shapes of the plane, in their own frame.
 struct ShapeOutline {
@@ -86,65 +78,6 @@ template <class Real> ShapeOutline outline_of(const collide::Chain<2, Real>& cha
     return outline;
 }
 
-// --- faces of solids in space ---------------------------------------------------------------------------------------
-
-using Faces = std::vector<SolidFace>;
-
-void add_face(Faces& faces, std::vector<Position> corners) {
-    const auto normal = direction(cross(corners[1] - corners[0], corners[2] - corners[0]));
-    faces.push_back({std::move(corners), normal, {}});
-}
-
-/// Capsule of a given axis; a sphere for an axis of no length.
-void add_capsule(Faces& faces, const Position& a, const Position& b, double radius) {
-    const auto along = direction(b - a);
-    const Position axis = along == Position{} ? Position::axis(1) : along;
-    const auto side = direction(cross(axis, absolute(axis[0]) < 0.8 ? Position::axis(0) : Position::axis(2)));
-    const auto other = cross(axis, side);
-    const auto at = [&](int ring, int i) { // rings from the end at a to the end at b
-        const int rings = circle_corners / 2;
-        const double polar = pi<double> * (ring <= rings / 2 ? ring : ring - 1) / rings,
-                     turn = 2 * pi<double> * i / circle_corners;
-        const auto out = side * cosine(turn) + other * sine(turn);
-        return (ring <= rings / 2 ? a : b) + (out * sine(polar) - axis * cosine(polar)) * radius;
-    };
-    for (int ring = 0; ring < circle_corners / 2 + 1; ++ring)
-        for (int i = 0; i < circle_corners; ++i) {
-            const auto p = at(ring, i), q = at(ring, i + 1), r = at(ring + 1, i + 1), s = at(ring + 1, i);
-            const auto normal = cross(r - p, s - q);
-            if (normal != Position{}) faces.push_back({{p, q, r, s}, direction(normal), {}});
-        }
-}
-template <class Real> void add_faces(Faces& faces, const collide::Sphere<3, Real>& sphere) {
-    add_capsule(faces, {}, {}, double(sphere.radius));
-}
-template <class Real> void add_faces(Faces& faces, const collide::Capsule<3, Real>& capsule) {
-    add_capsule(faces, placed_in_space(capsule.a), placed_in_space(capsule.b), double(capsule.radius));
-}
-template <class Real> void add_faces(Faces& faces, const collide::Box<3, Real>& box) {
-    const auto half = placed_in_space(box.half());
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double side : {-1.0, 1.0}) {
-            const auto u = Position::axis((axis + 1) % 3) * half[(axis + 1) % 3],
-                       v = Position::axis((axis + 2) % 3) * (half[(axis + 2) % 3] * side),
-                       middle = Position::axis(axis) * (half[axis] * side);
-            add_face(faces, {middle - u - v, middle + u - v, middle + u + v, middle - u + v});
-        }
-}
-template <class Real> void add_faces(Faces& faces, const collide::HalfSpace<3, Real>& plane) {
-    constexpr double half_width = 20;
-    const auto normal = placed_in_space(plane.normal);
-    const auto u = direction(cross(normal, absolute(normal[0]) < 0.8 ? Position::axis(0) : Position::axis(2))) *
-                   half_width,
-               v = cross(normal, u), middle = normal * double(plane.offset);
-    add_face(faces, {middle - u - v, middle + u - v, middle + u + v, middle - u + v});
-}
-template <class Surface> void add_faces(Faces& faces, const Surface& surface) requires(collide::IsSurface<Surface>) {
-    surface.parts_near(std::decay_t<decltype(surface.bounds({}))>::everything(), [&](const auto& part) {
-        add_face(faces, {placed_in_space(part.a), placed_in_space(part.b), placed_in_space(part.c)});
-    });
-}
-
 template <class WorldT> class ColliderPainter {
   public:
     static constexpr int D = WorldT::dimension;
@@ -175,12 +108,13 @@ template <class WorldT> class ColliderPainter {
     }
 
     template <class Colliders> void draw_solids(const Colliders& colliders) {
-        Faces faces;
+        const Light light(view_, theme_.ink);
+        std::vector<SeenFace> faces;
         for (const auto& collider : colliders) {
             if (collider.is_sensor || !collider.is_enabled()) continue;
             const auto colors = colors_of(collider.name, scene_, theme_);
             if (!colors.hidden)
-                std::visit([&](const auto& shape) { collect(faces, shape, collider.target, colors.fill); },
+                std::visit([&](const auto& shape) { collect(faces, shape, collider.target, colors.fill, light); },
                            collider.shape);
         }
         draw_faces(faces);
@@ -227,42 +161,62 @@ template <class WorldT> class ColliderPainter {
             if (const auto seen = view_.see(position(pose, corner))) pixels_.push_back(seen->pixel);
     }
 
+    /// A face that is turned to the camera.
+    struct SeenFace {
+        std::array<Vec2<float>, 4> pixels{};
+        int count = 0;
+        Color shade{};
+        double depth = 0;
+    };
+
     template <class ShapeT>
-    static void collect(Faces& faces, const ShapeT& shape, const Pose& pose, const Color& color) {
-        const auto first = faces.size();
-        add_faces(faces, shape);
-        for (auto i = first; i < faces.size(); ++i) {
-            for (auto& corner : faces[i].corners) corner = position(pose, corner);
-            faces[i].normal = position({{}, pose.rotation}, faces[i].normal);
-            faces[i].color = color;
-        }
+    void collect(std::vector<SeenFace>& faces, const ShapeT& shape, const Pose& pose, const Color& color,
+                 const Light& light) {
+        solid::each_face(shape, [&](SolidFace face) {
+            for (int i = 0; i < face.count; ++i)
+                face.places[std::size_t(i)] = position(pose, face.places[std::size_t(i)]);
+            if (!see(face)) return;
+            auto& seen = faces.emplace_back();
+            std::copy(pixels_.begin(), pixels_.end(), seen.pixels.begin());
+            seen.count = face.count;
+            seen.depth = depth_of(face);
+            seen.shade = shade_of(position({{}, pose.rotation}, face.normal), color, light);
+        });
+    }
+
+    /// Pixels of a face; false for one that is turned away, or not wholly before the camera.
+    bool see(const SolidFace& face) {
+        pixels_.clear();
+        for (const auto& corner : face.corners())
+            if (const auto seen = view_.see(corner)) pixels_.push_back(seen->pixel);
+        return pixels_.size() == face.corners().size() && faces_viewer();
     }
 
     double depth_of(const SolidFace& face) const {
         Position sum{};
-        for (const auto& corner : face.corners) sum += corner * (1.0 / double(face.corners.size()));
+        for (const auto& corner : face.corners()) sum += corner * (1.0 / double(face.count));
         const auto seen = view_.see(sum);
         return seen ? double(seen->depth) : 0;
     }
 
-    void draw_faces(Faces& faces) {
-        sinew::stable_sort(faces.begin(), faces.end(),
-                           [&](const SolidFace& a, const SolidFace& b) { return depth_of(a) > depth_of(b); });
-        const Light light(view_, theme_.ink);
-        for (const auto& face : faces) draw_face(face, light);
+    Color shade_of(const Position& normal, const Color& color, const Light& light) const {
+        const double lit = 0.5 + 0.5 * dot(normal, light.towards_light);
+        const Color dark = mix(color, theme_.ink, 0.45F), pale = mix(color, {1, 1, 1, 1}, 0.5F);
+        return mix(dark, pale, float(lit));
     }
 
-    /// Seams between faces are closed by a thin line of the same colour.
-    void draw_face(const SolidFace& face, const Light& light) {
-        pixels_.clear();
-        for (const auto& corner : face.corners)
-            if (const auto seen = view_.see(corner)) pixels_.push_back(seen->pixel);
-        if (pixels_.size() < face.corners.size() || !faces_viewer()) return;
-        const double lit = 0.5 + 0.5 * dot(face.normal, light.towards_light);
-        const Color dark = mix(face.color, theme_.ink, 0.45F), pale = mix(face.color, {1, 1, 1, 1}, 0.5F);
-        const Color shade = mix(dark, pale, float(lit));
-        picture_.add(sinew::Shape::polygon, pixels_, 0, shade);
-        picture_.add(sinew::Shape::loop, pixels_, 1, shade);
+    /// Farthest first. Seams between faces are closed by a thin line of the same colour.
+    void draw_faces(const std::vector<SeenFace>& faces) {
+        std::vector<std::pair<double, std::size_t>> order;
+        order.reserve(faces.size());
+        for (std::size_t i = 0; i < faces.size(); ++i) order.emplace_back(faces[i].depth, i);
+        sinew::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        for (const auto& [depth, i] : order) {
+            const auto& face = faces[i];
+            pixels_.assign(face.pixels.begin(), face.pixels.begin() + face.count);
+            picture_.add(sinew::Shape::polygon, pixels_, 0, face.shade);
+            picture_.add(sinew::Shape::loop, pixels_, 1, face.shade);
+        }
     }
 
     /// Corners seen from outside run counter-clockwise: clockwise where y points down.
