@@ -21,7 +21,11 @@ foreach(program IN ITEMS hello game hello_c)
     run(${work}/build/${program})
 endforeach()
 
-# The CMake lines of README.md, as pasted beside its program.
+# The CMake lines of README.md, as pasted beside its program. Bash alone expands a tilde after "=".
+file(READ ${source}/README.md readme)
+if(readme MATCHES "=~/")
+    message(FATAL_ERROR "README.md: a tilde after \"=\" is a folder called \"~\" in sh and zsh: write $HOME")
+endif()
 take_block(${source}/README.md hello cmake)
 file(WRITE ${work}/pasted/CMakeLists.txt "${block}")
 file(COPY ${work}/hello.cpp DESTINATION ${work}/pasted)
