@@ -30,12 +30,17 @@ for (const [i, { title, code }] of examples.entries())
     test(`the example of "${title}" runs on a page`, { timeout: 60_000 }, async () => {
         // The time of a frame may lie before the last call of performance.now(), as in a page that has been busy.
         const early = () => {
+            window.said = [];
+            console.log = (...words) => window.said.push(...words);
             const ask = window.requestAnimationFrame.bind(window);
             let first = true;
             window.requestAnimationFrame = (work) => ask((now) => work(first ? ((first = false), now - 1000) : now));
         };
         await site.on({ ...desktop, script: early }, `${i}.html`, async (page) => {
             await page.waitForFunction(() => globalThis.isDone, null, { timeout: 30_000 });
+            const said = await page.evaluate(() => window.said);
+            assert.equal(said.length > 0, code.includes("console.log"));
+            assert.ok(said.every((word) => word === true || word === 101), `${said}`);
             if (!code.includes("querySelector(\"canvas\")")) return;
             const taken = () => page.evaluate(() => document.querySelector("canvas").toDataURL());
             await page.waitForTimeout(300);
