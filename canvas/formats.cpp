@@ -33,13 +33,14 @@ Failure gif_fps(double fps) {
         "a .gif counts time in hundredths of a second and cannot keep {:g} frames a second; use 50, 25, 20 or 10", fps);
 }
 
-constexpr std::array<Format, 6> list{{
+constexpr std::array<Format, 7> list{{
     {".png", "one picture, or a contact sheet", false, 0, 16384, 1, any_fps, open_image},
     {".svg", "one picture as vectors", false, 0, 16384, 1, any_fps, open_image},
     {".pdf", "one picture as vectors, a page of its size", false, 0, 16384, 1, any_fps, open_image},
     {".gif", "a looping animation, 256 colours", true, 25, 8192, 1, gif_fps, open_gif},
     {".mp4", "a film (H.264)", true, 60, 8192, even, movie_fps, open_mp4},
     {".webp", "a looping animation, all colours", true, 30, 8192, 1, movie_fps, open_webp},
+    {".webm", "a film for browsers (VP9)", true, 60, 8192, even, movie_fps, open_webm},
 }};
 
 /// Levenshtein distance: number of letters to insert, remove or replace (1965).

@@ -99,6 +99,40 @@ class Mp4Writer final : public MovieWriter {
     }
 };
 
+class WebmWriter final : public MovieWriter {
+  public:
+    WebmWriter(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, even) {}
+
+  private:
+    Arguments encoding() const override {
+        return {"-vf",
+                "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+full_chroma_inp",
+                "-c:v",
+                "libvpx-vp9",
+                "-pix_fmt",
+                "yuv420p",
+                "-b:v",
+                "0",
+                "-crf",
+                "20",
+                "-deadline",
+                "realtime",
+                "-cpu-used",
+                "6",
+                "-color_primaries",
+                "bt709",
+                "-color_trc",
+                "bt709",
+                "-colorspace",
+                "bt709",
+                "-color_range",
+                "tv",
+                "-f",
+                "webm",
+                url(partial.path())};
+    }
+};
+
 class WebpWriter final : public MovieWriter {
   public:
     WebpWriter(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, 1) {}
@@ -190,6 +224,10 @@ Opened open_mp4(const fs::path& target, const FrameFormat& format) {
 
 Opened open_gif(const fs::path& target, const FrameFormat& format) {
     return begun(std::make_unique<GifWriter>(target, format));
+}
+
+Opened open_webm(const fs::path& target, const FrameFormat& format) {
+    return begun(std::make_unique<WebmWriter>(target, format));
 }
 
 Opened open_webp(const fs::path& target, const FrameFormat& format) {

@@ -19,6 +19,9 @@ Opened open_mp4(const std::filesystem::path& target, const FrameFormat& format);
 /// Format::fps_problem.
 Opened open_gif(const std::filesystem::path& target, const FrameFormat& format);
 
+/// VP9, 4:2:0, colours tagged as BT.709: for browsers. Sides are padded to even numbers with background.
+Opened open_webm(const std::filesystem::path& target, const FrameFormat& format);
+
 /// Animated WebP that loops; of one frame, a still WebP.
 Opened open_webp(const std::filesystem::path& target, const FrameFormat& format);
 

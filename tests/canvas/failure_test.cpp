@@ -20,8 +20,8 @@ namespace {
 using canvas::Failure;
 using namespace std::chrono_literals;
 
-constexpr const char* every_name[] = {"a.png", "a.svg", "a.pdf", "a.gif", "a.mp4", "a.webp"};
-constexpr const char* film_names[] = {"a.gif", "a.mp4", "a.webp"};
+constexpr const char* every_name[] = {"a.png", "a.svg", "a.pdf", "a.gif", "a.mp4", "a.webm", "a.webp"};
+constexpr const char* film_names[] = {"a.gif", "a.mp4", "a.webm", "a.webp"};
 
 Failure write(const std::filesystem::path& path, int frames = 1, int width = 320, int height = 240) {
     auto [writer, failure] = canvas::open(path, {width, height, 25});

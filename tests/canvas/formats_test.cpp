@@ -19,15 +19,14 @@ TEST(Formats, EachTakesItsUsualFrames) {
 }
 
 TEST(Formats, UnknownExtensionNamesTheValidOnesAndTheNearest) {
-    EXPECT_EQ(
-        check("out/a.mp5", {}),
-        "out/a.mp5: unknown extension .mp5; did you mean .mp4? (possible are .png, .svg, .pdf, .gif, .mp4, .webp)");
-    EXPECT_EQ(
-        check("out/a.wepb", {}),
-        "out/a.wepb: unknown extension .wepb; did you mean .webp? (possible are .png, .svg, .pdf, .gif, .mp4, .webp)");
-    EXPECT_EQ(check("a.avi", {}), "a.avi: unknown extension .avi (possible are .png, .svg, .pdf, .gif, .mp4, .webp)");
-    EXPECT_EQ(check("a", {}), "a: no extension (possible are .png, .svg, .pdf, .gif, .mp4, .webp)");
-    EXPECT_EQ(check("out/", {}), "out/: no extension (possible are .png, .svg, .pdf, .gif, .mp4, .webp)");
+    EXPECT_EQ(check("out/a.mp5", {}), "out/a.mp5: unknown extension .mp5; did you mean .mp4? (possible are .png, .svg, "
+                                      ".pdf, .gif, .mp4, .webp, .webm)");
+    EXPECT_EQ(check("out/a.wepb", {}), "out/a.wepb: unknown extension .wepb; did you mean .webp? (possible are .png, "
+                                       ".svg, .pdf, .gif, .mp4, .webp, .webm)");
+    EXPECT_EQ(check("a.avi", {}),
+              "a.avi: unknown extension .avi (possible are .png, .svg, .pdf, .gif, .mp4, .webp, .webm)");
+    EXPECT_EQ(check("a", {}), "a: no extension (possible are .png, .svg, .pdf, .gif, .mp4, .webp, .webm)");
+    EXPECT_EQ(check("out/", {}), "out/: no extension (possible are .png, .svg, .pdf, .gif, .mp4, .webp, .webm)");
 }
 
 TEST(Formats, SizeWithoutPixelsIsRefused) {

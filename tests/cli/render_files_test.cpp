@@ -79,14 +79,14 @@ TEST_F(RenderFiles, BesideLeavesAModeItsOwnView) {
 }
 
 TEST_F(RenderFiles, BesideGoesIntoEveryKindOfFile) {
-    for (const auto* file : {"a.png", "a.svg", "a.pdf", "a.gif", "a.mp4", "a.webp"}) {
+    for (const auto* file : {"a.png", "a.svg", "a.pdf", "a.gif", "a.mp4", "a.webm", "a.webp"}) {
         const auto said = written({"pendulum", "-o", file, "--beside", "classic,physical,world.gravity=[0,-1]",
                                    "--size", "64x48", "--seconds", "0.2"});
         EXPECT_TRUE(has(said, said.find("frames") == std::string::npos ? ": 194x51 at" : "of 194x5")) << said;
     }
     EXPECT_TRUE(begins(written({"pendulum", "-o", "b.png", "--beside", "classic,physical", "--sheet", "2x1"}),
                        "b.png: 2 frames of 642x253 from 0 to 2 s"));
-    EXPECT_EQ(folder.names().size(), 7U);
+    EXPECT_EQ(folder.names().size(), 8U);
 }
 
 TEST_F(RenderFiles, BesideSaysWhatItCannotUse) {
@@ -163,7 +163,7 @@ TEST_F(RenderFiles, SweepingSparesWhatOthersWriteAndWhatIsNoPartialFile) {
 }
 
 TEST_F(RenderFiles, AFullDiskIsToldByTheNameOfTheOutput) {
-    for (const auto* file : {"a.png", "a.gif", "a.mp4", "a.webp"}) {
+    for (const auto* file : {"a.png", "a.gif", "a.mp4", "a.webm", "a.webp"}) {
         const auto outcome = render({"pendulum", "-o", file, "--seconds", "1"}, {.largest_file = 500});
         EXPECT_EQ(outcome.code, 1);
         EXPECT_TRUE(has(outcome.err, std::string("cannot write ") + file + ": "));

@@ -73,9 +73,11 @@ TEST_F(Render, EveryKindOfFile) {
     EXPECT_TRUE(begins(content("a.gif"), "GIF89a"));
     EXPECT_TRUE(begins(film("a.mp4"), "a.mp4: 30 frames of 64x48 from 0 to 0.5 s"));
     EXPECT_TRUE(begins(content("a.mp4").substr(4), "ftyp"));
+    EXPECT_TRUE(begins(film("a.webm"), "a.webm: 30 frames of 64x48 from 0 to 0.5 s"));
+    EXPECT_TRUE(begins(content("a.webm"), "\x1A\x45\xDF\xA3")) << "EBML";
     EXPECT_TRUE(begins(film("a.webp"), "a.webp: 15 frames of 64x48 from 0 to 0.5 s"));
     EXPECT_TRUE(begins(content("a.webp"), "RIFF"));
-    EXPECT_EQ(folder.names().size(), 5u); // nothing else is left behind
+    EXPECT_EQ(folder.names().size(), 6u); // nothing else is left behind
 }
 
 TEST_F(Render, AContactSheet) {
