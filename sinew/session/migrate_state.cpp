@@ -1,6 +1,7 @@
 #include "sinew/session/migrate_state.h"
 
 #include "sinew/assert/assert.h"
+#include "sinew/session/similarity.h"
 #include "sinew/world/edit.h"
 
 #include <span>
@@ -27,6 +28,23 @@ template <class WorldT> class Transplant {
         for (std::size_t i = 0; i < is_.constraints.size(); ++i) carry_constraint(i, cut);
         carry_pieces();
         is_.quarantined = was_.quarantined;
+    }
+
+    /// After carry(): moves the state by the similarity that the description was changed by.
+    void transform(const Similarity<WorldT::dimension>& by) {
+        using Vector = typename WorldT::Vector;
+        using Real = typename WorldT::Real;
+        const auto middle = middle_of(fresh_, is_);
+        auto& p = fresh_.particles;
+        for (const auto id : is_.particles) {
+            const auto row = row_of(fresh_, id);
+            if (!row) continue;
+            const auto before = cast<double>(p.position[*row] - p.previous[*row]);
+            p.position[*row] = cast<Real>(by.apply(cast<double>(p.position[*row]), middle));
+            p.previous[*row] = p.position[*row] - cast<Real>(by.rotated(before));
+            p.velocity[*row] = cast<Real>(by.rotated(cast<double>(p.velocity[*row])));
+            p.residual[*row] = Vector{};
+        }
     }
 
   private:
@@ -148,6 +166,29 @@ bool same_words(const Scene& scene, const FigureSection& a, const FigureSection&
     return to_json(scene, a) == to_json(scene, b);
 }
 
+/// True if every constraint is of the same kind as before.
+bool same_kinds(const Figure& was, const Figure& is) {
+    if (was.constraints.size() != is.constraints.size()) return false;
+    for (std::size_t i = 0; i < is.constraints.size(); ++i)
+        if (was.constraints[i].kind != is.constraints[i].kind) return false;
+    return true;
+}
+
+/// The figures of a scene as they begin, built when the first one is asked for.
+template <class WorldT> class Beginning {
+  public:
+    explicit Beginning(const Scene& scene) : scene_(scene) {}
+
+    const WorldT& world() {
+        if (!built_) built_ = instantiate(scene_);
+        return std::get<WorldT>(*built_);
+    }
+
+  private:
+    const Scene& scene_;
+    std::optional<AnyWorld> built_;
+};
+
 template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, const Scene& edited, WorldT& fresh) {
     fresh.time = old.time;
     fresh.steps = old.steps;
@@ -156,13 +197,28 @@ template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, co
     fresh.repair_window = old.repair_window;
     std::vector<ParticleId> gone;
     std::vector<ConstraintId> cut;
+    Beginning<WorldT> beginning(scene);
     for (std::size_t i = 0; i < fresh.figures.size(); ++i) {
         const auto known = find_figure(old, fresh.figures[i].name);
         if (!known) continue;
         const auto *before = section_of(scene, *known), *after = section_of(edited, i);
-        if (!before || !after || !same_words(scene, *before, *after)) continue;
-        Transplant figure(old, old.figures[*known], fresh, fresh.figures[i]);
-        if (figure.fits()) figure.carry(gone, cut);
+        if (!before || !after) continue;
+        const auto& was = old.figures[*known];
+        Transplant figure(old, was, fresh, fresh.figures[i]);
+        if (!figure.fits()) continue;
+        if (same_words(scene, *before, *after)) {
+            figure.carry(gone, cut);
+            continue;
+        }
+        if (before->made.index() != after->made.index() || !same_kinds(was, fresh.figures[i])) continue;
+        const auto& begun = beginning.world();
+        const auto moved = similarity_of(begun, begun.figures[*known], fresh, fresh.figures[i]);
+        if (!moved) continue;
+        const auto pieces = fresh.figures[i].pieces;
+        const auto lost = gone.size() + cut.size();
+        figure.carry(gone, cut);
+        if (gone.size() + cut.size() == lost && was.fragments.empty()) fresh.figures[i].pieces = pieces;
+        if (!moved->is_identity) figure.transform(*moved);
     }
     if (!cut.empty()) remove_constraints(fresh, std::span<const ConstraintId>(cut));
     if (!gone.empty()) remove_particles(fresh, std::span<const ParticleId>(gone));

@@ -231,6 +231,21 @@ TEST(Play, AnEditGoesOnWhereTheWorldIs) {
     EXPECT_EQ(pixel_of(play, "bob/right_hand"), hand);
 }
 
+// Of another friction, colour or place: the description begins in a similar form.
+TEST(Play, AnEditedFigureGoesOnAsItMovesAndOneThatIsMovedMovesSo) {
+    Play play(library, "ragdoll");
+    for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
+    const auto hand = pixel_of(play, "bob/right_hand"), head = pixel_of(play, "bob/head");
+    EXPECT_TRUE(play.set("figures.bob.contact.friction", "0.1")) << play.problem();
+    EXPECT_TRUE(play.set("figures.bob.looks.all.color", "\"#00ff00\"")) << play.problem();
+    EXPECT_EQ(pixel_of(play, "bob/right_hand"), hand);
+    EXPECT_TRUE(play.set("figures.bob.at", "[170, 180]")) << play.problem(); // from 150, 190
+    const auto scale = play.view().scale();
+    const auto by = Vec2<double>{{20 * scale, -10 * scale}};
+    EXPECT_LT(distance(pixel_of(play, "bob/right_hand"), hand + by), 0.01);
+    EXPECT_LT(distance(pixel_of(play, "bob/head"), head + by), 0.01);
+}
+
 TEST(Play, EveryToolLeavesASceneThatCanBeSavedAndOpened) {
     const auto path = ::testing::TempDir() + "/saved.json";
     for (const auto* tool : {"rope", "polygon", "cloth", "spawn", "pin", "remove", "measure"}) {
