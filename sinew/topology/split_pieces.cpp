@@ -50,7 +50,8 @@ void open_up(const Piece& piece, std::span<const std::size_t> gaps, std::vector<
     }
 }
 
-/// Adds the remaining parts of an open piece with gaps.
+/// Adds the remaining parts of an open piece with gaps. An end that is left alone stays to be seen as a dot as thick as
+/// the piece: the stump of a limb.
 void shorten(const Piece& piece, std::span<const std::size_t> gaps, std::vector<Piece>& left) {
     const std::size_t size = piece.particles.size();
     if (piece.mark == Mark::tip || piece.mark == Mark::face) {
@@ -60,7 +61,9 @@ void shorten(const Piece& piece, std::span<const std::size_t> gaps, std::vector<
     }
     for (std::size_t i = 0, first = 0; i <= gaps.size(); ++i) {
         const std::size_t end = i < gaps.size() ? gaps[i] + 1 : size;
-        if (end - first > 1) left.push_back(part_of(piece, first, end - first));
+        const bool is_stump = end - first == 1 && piece.width > 0 && piece.mark != Mark::ring;
+        if (end - first > 1 || is_stump) left.push_back(part_of(piece, first, end - first));
+        if (is_stump) left.back().mark = Mark::dot;
         first = end;
     }
 }

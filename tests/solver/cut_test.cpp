@@ -125,11 +125,20 @@ TEST(Cut, ALineBecomesShorterLinesAsThickAsTheyWere) {
     for (const Mark mark : {Mark::stroke, Mark::curve, Mark::limb}) {
         DrawnRing drawn(mark);
         drawn.cut_after({1, 4});
-        EXPECT_EQ(drawn.pieces(), (Numbers{{0, 1}, {2, 3, 4}}));
+        EXPECT_EQ(drawn.pieces(), (Numbers{{0, 1}, {2, 3, 4}, {5}}));
         EXPECT_EQ(drawn.mark(), mark);
         EXPECT_EQ(drawn.world.figures[0].pieces[1].width, 4);
         EXPECT_EQ(drawn.world.figures[0].pieces[1].end_width, 2);
+        EXPECT_EQ(drawn.world.figures[0].pieces[2].mark, Mark::dot) << "a stump";
+        EXPECT_EQ(drawn.world.figures[0].pieces[2].width, 1);
     }
+}
+
+TEST(Cut, ALimbOfOneBoneLeavesAStumpAtEitherEnd) {
+    DrawnRing bone(Mark::stroke, 2);
+    bone.cut_after({0});
+    EXPECT_EQ(bone.pieces(), (Numbers{{0}, {1}}));
+    for (const auto& piece : bone.world.figures[0].pieces) EXPECT_EQ(piece.mark, Mark::dot);
 }
 
 TEST(Cut, ClosedLinesOpenAndFilledOnesFallApart) {
