@@ -3,6 +3,7 @@
 #include "sinew/scene/event_section.h"
 #include "sinew/scene/text.h"
 #include "sinew/scene/types.h"
+#include "sinew/session/session.h"
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/console.h"
@@ -13,13 +14,12 @@
 namespace sinew::cli {
 namespace {
 
-constexpr std::array<std::string_view, 4> own_kinds = {"torn", "parted", "quarantined", "touched"}; // SessionEvent
 constexpr auto& contact_phases = ContactRule::phases;
 
 } // namespace
 
 void check_until(const std::string& kind, const Scene& scene) {
-    std::vector<std::string_view> known(own_kinds.begin(), own_kinds.end());
+    std::vector<std::string_view> known(world_event_names.begin(), world_event_names.end());
     known.insert(known.end(), contact_phases.begin(), contact_phases.end());
     const auto& scene_kinds = detail::alternative_names<decltype(EventSection::event)>;
     known.insert(known.end(), scene_kinds.begin(), scene_kinds.end());

@@ -33,9 +33,6 @@ template <class WorldT> auto& solver_of(AnySolver& any) {
 
 template <class WorldT> using VectorOf = typename WorldT::Vector;
 
-/// In the order of EventType.
-constexpr std::array event_names = {"torn", "quarantined", "touched", "parted", "hit"};
-
 /// Touches are reported for sensors; of obstacles and the ground there would be too many.
 template <class WorldT> bool is_worth_noting(const WorldT& world, const Event& event) {
     if (event.type == EventType::torn || event.type == EventType::quarantined) return true;
@@ -408,7 +405,7 @@ void Session::note_events() {
             for (const auto& event : world.events) {
                 any_torn = any_torn || event.type == EventType::torn;
                 if (is_worth_noting(world, event))
-                    note(event_names[std::size_t(event.type)],
+                    note(std::string(world_event_names[std::size_t(event.type)]),
                          event.figure < world.figures.size() ? world.figures[event.figure].name : "");
                 if (event.type == EventType::torn && is_link<std::decay_t<decltype(world)>>(event))
                     gone.push_back(event.ends);

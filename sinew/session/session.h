@@ -21,6 +21,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -38,6 +39,10 @@ struct Report {
     double stretch_max = 0, stretch_mean = 0; ///< strain of distances: fractions of rest length
     double max_speed = 0;
 };
+
+/// Names of what a world reports, in the order of EventType.
+inline constexpr std::array<std::string_view, 5> world_event_names = {"torn", "quarantined", "touched", "parted",
+                                                                      "hit"};
 
 /// Entry of a session's log.
 struct SessionEvent {
