@@ -64,6 +64,7 @@ struct Component {
     bool both_ways = false;                   ///< each iteration sweeps the links there and back
     bool is_elastic = false;                  ///< some links are compliant
     bool is_tied = false;                     ///< so do constraints of other kinds, which are swept there and back
+    bool is_gathered = false;                 ///< in this step pins are nearer to each other than the cloth reaches
     bool is_crushed = false;                  ///< in this step rigid links are far too short: nothing only pulls
     std::uint32_t copies = 0;                 ///< interleaved copies of one shape; 0 for a single one
     std::uint32_t first_body = 0, bodies = 0; ///< range of FreeBodies::list that begins here

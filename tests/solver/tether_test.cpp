@@ -7,7 +7,9 @@
 #include "tests/worlds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -110,6 +112,34 @@ TEST(Tethers, KeepShortWhatSwingsDownAndSnapsTaut) {
         }
     }
     EXPECT_LT(max, 0.05);
+}
+
+/// Kinetic energy that a cloth of 1.9 m still has, over its weight times its width, 14 seconds after its two pins have
+/// come so near to each other.
+template <class Real> double motion_left(Real between) {
+    test::Stepped<3, Real> world;
+    fall(world, gravity);
+    world.settings.damping = 3;
+    build(world, Cloth{.columns = 20, .rows = 20, .pins = "corners"}, "cloth");
+    constexpr int moving = 60, frames = 15 * 60;
+    const auto begun = world.pins;
+    const Real width = absolute(begun[1].target[0] - begun[0].target[0]);
+    for (int i = 1; i <= frames; ++i) {
+        const Real share = Real(min(i, moving)) / Real(moving);
+        for (std::size_t k = 0; k < begun.size(); ++k)
+            world.pins[k].target[0] = begun[k].target[0] * (1 - share * (1 - between / width));
+        step(world, Real(1.0 / 60));
+    }
+    return energy(world).kinetic / (total_mass(world) * gravity * double(width));
+}
+
+// Links of gathered cloth push: tethers and repairs, which only pull, must not keep it moving.
+TEST(Tethers, LetGatheredClothRest) {
+    constexpr std::array far = {1.0, 0.6, 1.4};
+    for (const double between : std::span(far).first(few_or_many(1, 3))) {
+        EXPECT_LT(motion_left<double>(between), 1e-6) << between << " m, double";
+        EXPECT_LT(motion_left<float>(float(between)), 1e-6) << between << " m, float";
+    }
 }
 
 } // namespace

@@ -165,7 +165,7 @@ template <int D, class Real, Rules rules, class Ends> struct Projection {
     template <class V, bool all>
     [[gnu::always_inline]] void look_at(const V& square, const V& longest, int count) const {
         const V meant = all ? square : first_lanes(square, count, Real(0));
-        if (any(meant > longest * longest * overstretched<Real>)) [[unlikely]]
+        if (any(meant > longest * longest * pass.overstretched_from)) [[unlikely]]
             pass.overstretched = true;
     }
 

@@ -10,9 +10,6 @@ namespace {
 
 using namespace lane;
 
-/// Square of the relative length from which on a link is overstretched.
-template <class Real> inline constexpr Real overstretched = Real(1.02 * 1.02);
-
 /// `part` times the relative correction, given the tangent at t = 1: part (1 - t) / 2. Most lengths are near their
 /// limit, where the tangent is within 2.4 % of the correction and saves a root and a quotient, as costly as all the
 /// rest.

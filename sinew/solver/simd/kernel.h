@@ -73,7 +73,8 @@ template <class Real> struct DistancePass {
     bool first = true;         ///< first iteration: multipliers start at zero
     bool adds = false;         ///< multipliers of rigid equalities add up, and links are corrected as in other substeps
     bool again = false;        ///< repair within an iteration: compliant batches are skipped
-    bool overstretched = false; ///< output: some rigid link was over 2 % too long
+    Real overstretched_from = 1; ///< square of the length, as a multiple of what it may be
+    bool overstretched = false;  ///< output: some rigid link was longer than that
 };
 
 /// Anchor of long-range attachments: an upper limit on each particle's distance from a point.

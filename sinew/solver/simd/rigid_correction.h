@@ -98,7 +98,7 @@ template <int D, class Real, Rigid rules> struct RigidCorrection {
     }
 
     [[gnu::always_inline]] void look_at(const V& half) const {
-        if (any(half < spread<V>(Real(0.25) * (1 - overstretched<Real>)))) pass.overstretched = true;
+        if (any(half < spread<V>(Real(0.25) * (1 - pass.overstretched_from)))) pass.overstretched = true;
     }
 
     [[gnu::always_inline]] static V quarter() { return spread<V>(Real(0.25)); }

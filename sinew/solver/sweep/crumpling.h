@@ -20,11 +20,12 @@ template <int D, class Real> class Crumpling {
 
     void find() {
         for (auto& component : plan_.components) {
-            component.is_crushed = false;
+            component.is_crushed = component.is_gathered = false;
             if (component.tethers == 0) continue;
             const auto [nearest, furthest] = spans(component);
             component.is_crushed = furthest > 1 + slight || is_overstretched(component);
-            if (nearest > gathered) continue;
+            component.is_gathered = nearest <= gathered;
+            if (!component.is_gathered) continue;
             component.is_crushed = component.is_crushed || is_crushed(component);
             if constexpr (D == 3) leave_plane(component);
         }

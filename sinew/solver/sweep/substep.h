@@ -129,6 +129,7 @@ template <int D, class Real> class Substep {
         }
         motion_.anchors = anchors_.data();
         motion_.anchor_count = component.is_crushed ? 0 : component.tethers;
+        is_gathered_ = component.is_gathered;
     }
 
     /// Long-range attachments: no particle is further from a hard pin than the links reach.
@@ -136,9 +137,10 @@ template <int D, class Real> class Substep {
         if (motion_.anchor_count > 0) kernels_.tether(motion_, tile.first, tile.last);
     }
     /// Tethers in every second substep, including the last: particles fall little in between
-    /// (docs/measured/sweep.md).
+    /// (docs/measured/sweep.md). Gathered cloth is tethered in each: what its links push out in one substep would
+    /// swing back in the next for ever.
     void tether_in_turn(const Tile& tile) {
-        if (tethered_) tether(tile);
+        if (tethered_ || is_gathered_) tether(tile);
     }
 
     /// Contact with planes, then with colliders.
@@ -248,6 +250,7 @@ template <int D, class Real> class Substep {
     Real share_, share_of_substep_; ///< fraction of the step elapsed at the end of the substep, and per substep
     int number_;                    ///< 1 to the number of substeps
     bool last_, tethered_;
+    bool is_gathered_ = false; ///< the component whose anchors are set
     Motion<D, Real> motion_{};
     std::array<Anchor<D, Real>, max_tethers> anchors_;
 
@@ -262,7 +265,8 @@ template <int D, class Real> class Substep {
         return {.per_h2 = mover_.per_h * mover_.per_h,
                 .kept = last_ || component.goes_back() || world_.settings.iterations > 1 ||
                         !solver_.blocks.attached_trees.empty(),
-                .last_substep = last_};
+                .last_substep = last_,
+                .overstretched_from = Real(component.is_gathered ? 1.05 * 1.05 : 1.02 * 1.02)};
     }
     void note(const DistancePass<Real>& pass, const Component& component, std::uint32_t tile, std::uint32_t first,
               std::uint32_t last) {
