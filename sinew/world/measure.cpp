@@ -1,7 +1,7 @@
 #include "sinew/world/measure.h"
 
+#include "sinew/world/energy_terms.h"
 #include "sinew/world/slack_links.h"
-#include "sinew/world/stencil.h"
 
 #include <algorithm>
 
@@ -29,72 +29,6 @@ template <int D, class Real> bool is_at_end(const Particles<D, Real>& p, std::sp
 /// True if the sweep of physical mode acts on the members.
 template <int D, class Real> bool is_swept(const World<D, Real>& world, std::span<const Row> members) {
     return world.settings.mode == Mode::physical && !is_at_end(world.particles, members);
-}
-
-template <int D, class Real> double mass_of(const Particles<D, Real>& p, Row row) {
-    return p.inverse_mass[row] > Real(0) ? 1.0 / double(p.inverse_mass[row]) : 0.0;
-}
-
-/// Moment of inertia about the centre of a particle that rolls.
-template <int D, class Real> double inertia_of(const Particles<D, Real>& p, Row row) {
-    return double(p.inertia[row]) * mass_of(p, row) * square(double(p.radius[row]));
-}
-
-template <int D, class Real> struct PotentialOf {
-    double mass;
-    Vec<D, double> position;
-    FigureIndex figure;
-    double operator()(const Gravity<D, Real>& gravity) const {
-        return -mass * dot(cast<double>(gravity.acceleration), position);
-    }
-    double operator()(const Attractor<D, Real>& attractor) const {
-        if (!pulls(attractor, figure)) return 0;
-        const auto offset = position - cast<double>(attractor.center);
-        return -mass * double(attractor.strength) *
-               inverse_or_zero(square_root(dot(offset, offset) + square(double(attractor.softness))));
-    }
-    template <class Other> double operator()(const Other&) const { return 0; }
-};
-
-/// Measure of a constraint, and its response to a unit multiplier: the sum of w |grad C|^2.
-struct Measured {
-    double value = 0, response = 0;
-};
-
-/// Measures a constraint at the positions point(row).
-template <class Table, class Point, class Weight>
-Measured measure_row(const Table& table, Row row, Point&& point, Weight&& weight) {
-    using Kind = typename Table::Kind;
-    const auto members = table.members[row];
-    using Vector = std::decay_t<decltype(point(Row(0)))>;
-    using Real = std::decay_t<decltype(Vector{}[0])>;
-    const auto measured = [&](Real value, const auto& gradient) {
-        Measured all{.value = value};
-        for (std::size_t i = 0; i < members.size(); ++i)
-            all.response += weight(members[i]) * dot(gradient[i], gradient[i]);
-        return all;
-    };
-    if constexpr (Kind::arity == any_arity) {
-        std::vector<Vector> points, gradient(members.size());
-        for (const Row member : members) points.push_back(point(member));
-        const Real value = Kind::template evaluate<Real>(points, gradient);
-        return measured(value, gradient);
-    } else {
-        std::array<Vector, std::size_t(Kind::arity)> points;
-        for (std::size_t i = 0; i < points.size(); ++i) points[i] = point(members[i]);
-        const auto evaluated = Kind::evaluate(points);
-        return measured(evaluated.value, evaluated.gradient);
-    }
-}
-template <class Table, class Point> double measure_row(const Table& table, Row row, Point&& point) {
-    return measure_row(table, row, point, [](Row) { return 0.0; }).value;
-}
-
-/// True for a spring too stiff for an iteration of the sweep: its length then differs from the length that belongs to
-/// its force, by errors that the next substeps remove. compliance / h^2 against the response of the measure.
-inline bool is_beyond_sweep(double compliance, double response, double substep) {
-    constexpr double resolved = 4;
-    return substep > 0 && compliance < resolved * response * square(substep);
 }
 
 template <class Table, class Real>
@@ -145,19 +79,21 @@ template <int D, class Real, class Counts> Energy energy_where(const World<D, Re
         if (counts(p.figure[row])) add_particle_energy(world, row, sum);
     std::vector<SlackLink> links;
     std::optional<SlackLinks> slack;
+    std::vector<Vec<D, double>> room;
     for_each_table(world, [&](const auto& table) {
         using Kind = typename std::decay_t<decltype(table)>::Kind;
         for (Row row = 0; row < table.size(); ++row) {
             if (table.is_rigid(row) || !counts(table.figure[row])) continue;
             const auto middle = [&](Row particle) { return position_of_velocity(world, particle); };
             const auto weight = [&](Row particle) { return double(p.mobility[particle]); };
-            const auto measured = measure_row(table, row, middle, weight);
+            const auto measured = measure_row(table, row, room, middle, weight);
             const auto state = state_of(table, row, measured.value, world.last_substep);
             const bool told_by_force =
                 is_swept(world, table.members[row]) &&
                 is_beyond_sweep(double(table.compliance[row]), measured.response, double(world.last_substep));
-            double stored = told_by_force ? 0.5 * double(table.compliance[row]) * square(state.tension)
-                                          : table.spring_energy(row, state.error);
+            double stored = told_by_force
+                                ? energy_of_force(table, row, double(table.multiplier[row]), double(world.last_substep))
+                                : table.spring_energy(row, state.error);
             if constexpr (std::is_same_v<Kind, Angle<D>>)
                 if (stored > 0 && !told_by_force && world.settings.mode == Mode::physical) {
                     if (!slack) slack.emplace(std::get<kind_number<Distance, D>>(world.constraints), links);
