@@ -33,6 +33,16 @@ template <int D, class Real> class Broadphase {
         return pairs_;
     }
 
+    /// Room for so many boxes, each near a few others.
+    void reserve(std::size_t boxes) {
+        constexpr std::size_t few = 8;
+        std::size_t cells = 64;
+        while (cells < boxes) cells *= 2;
+        start_.reserve(cells + 2);
+        large_.reserve(boxes), is_large_.reserve(boxes);
+        entries_.reserve(few * boxes), sorted_.reserve(few * boxes), pairs_.reserve(few * boxes);
+    }
+
   private:
     using Cell = std::array<std::int64_t, D>;
     struct Entry {

@@ -5,6 +5,8 @@
 #include "sinew/solver/solver.h"
 #include "sinew/world/world.h"
 
+#include <algorithm>
+
 /// Bodies: sets of movable particles connected by constraints, which fall asleep and wake as one, and sets of immovable
 /// ones, which a pin may carry.
 namespace sinew {
@@ -36,6 +38,21 @@ template <int D, class Real> struct SleepRoom {
     std::vector<Vec<D, Real>> weight;   ///< per body: sum of the forces on it, at the end of the step
     std::vector<char> is_carried;       ///< per row: by a pin that moves
     collide::Broadphase<D, Real> broadphase;
+
+    /// Room for `count` bodies.
+    void reserve(const World<D, Real>& world, std::size_t count) {
+        const auto particles = world.particles.size(), colliders = world.colliders.size();
+        std::size_t members = 0;
+        for_each_table(world, [&](const auto& table) {
+            for (Row row = 0; row < table.size(); ++row) members += table.members[row].size();
+        });
+        attached.reserve(members);
+        bodies.reserve(count), body_of.reserve(particles), squared_speed.reserve(count);
+        boxes.reserve(count + colliders), is_restless.reserve(count + colliders);
+        is_carried.reserve(particles);
+        sets.reserve(std::max(particles, count + colliders));
+        broadphase.reserve(count + colliders);
+    }
 };
 
 namespace detail {
@@ -70,9 +87,12 @@ template <int D, class Real> class SleepBodyFinder {
     }
     /// Joins the movable members, and the immovable ones.
     void join(std::span<const Row> members) {
-        for (const Row a : members)
-            for (const Row b : members)
-                if (a < b && is_movable(a) == is_movable(b)) room_.sets.join(a, b);
+        for (const bool movable : {true, false}) {
+            const auto of_kind = [&](Row row) { return is_movable(row) == movable; };
+            const auto first = std::ranges::find_if(members, of_kind);
+            for (auto it = first; it != members.end(); ++it)
+                if (of_kind(*it)) room_.sets.join(*first, *it);
+        }
     }
     void number_bodies() {
         room_.bodies.clear();
@@ -88,9 +108,10 @@ template <int D, class Real> class SleepBodyFinder {
         }
     }
     void attach(std::span<const Row> members) {
-        for (const Row a : members)
-            for (const Row b : members)
-                if (is_movable(a) && !is_movable(b)) room_.attached.push_back({room_.body_of[a], b});
+        const auto movable = std::ranges::find_if(members, [&](Row row) { return is_movable(row); });
+        if (movable == members.end()) return;
+        for (const Row row : members)
+            if (!is_movable(row)) room_.attached.push_back({room_.body_of[*movable], row});
     }
 };
 
