@@ -85,6 +85,12 @@ template <int D, class Real> void wake(World<D, Real>& world, Solver<D, Real>& s
 template <int D, class Real> void fall_asleep(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 template <int D, class Real> void note_sleep_parameters(World<D, Real>& world);
 
+/// energy_bound.cpp: while a world is prepared, makes room; notes the state before a step; after it, takes back the
+/// energy that islands have gained.
+template <int D, class Real> void make_energy_room(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> void note_energy(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> void bound_energy(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
+
 /// internal_damping.cpp: before a step of physical mode, damps the motion inside figures that have internal damping.
 template <int D, class Real> void damp_internally(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 

@@ -21,6 +21,7 @@ template <int D, class Real> struct ContactRoom;
 template <int D, class Real> struct SleepRoom;
 template <int D, class Real> struct AloneRoom;
 struct DampedBodies;
+template <int D, class Real> struct EnergyRoom;
 struct WindAreas;
 
 struct SolverOptions {
@@ -45,6 +46,7 @@ template <int D, class Real> struct Solver {
     SweepState<D, Real> sweep_state;                ///< plan and columns of the sweep
     std::shared_ptr<ContactRoom<D, Real>> contacts; ///< of figures with each other; none before the first
     std::shared_ptr<SleepRoom<D, Real>> sleep;      ///< bodies that may fall asleep; none before the first
+    std::shared_ptr<EnergyRoom<D, Real>> energy;    ///< before a step; none before the first
     std::shared_ptr<AloneRoom<D, Real>> alone;      ///< bodies that may be far from all others; none before the first
     std::shared_ptr<DampedBodies> damped;           ///< of figures with internal damping; none before the first
     std::shared_ptr<WindAreas> wind_areas;          ///< areas that winds press on; none before the first

@@ -158,6 +158,7 @@ bool set_limits(World<D, Real>& world, const ConstraintId& id, const Interval<Re
         if (!detail::are_possible<typename std::decay_t<decltype(table)>::Kind>(limits.low, limits.high)) return false;
         const Real low = clamp(limits.low, -max, max);
         table.limits.set(row, low, clamp(limits.high, low, max));
+        table.multiplier[row] = 0; // of the old limits
         return true;
     });
 }

@@ -42,6 +42,7 @@ template <int D, class Real> void Solver<D, Real>::prepare(World<D, Real>& world
     tie_ports(world, *this);
     find_free_bodies(world, *this);
     find_rollers(world, *this);
+    make_energy_room(world, *this);
     if (contacts) contacts->is_stale = true;
     journal.read();
     report(1);

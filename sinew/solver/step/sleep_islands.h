@@ -31,11 +31,20 @@ template <int D, class Real> class SleepIslands {
     void find() {
         measure_speeds();
         make_boxes();
-        room_.sets.reset(room_.boxes.size());
-        const auto& pairs = room_.broadphase.find(room_.boxes, [&](auto i, auto k) { return may_touch(i, k); });
-        for (const auto& pair : pairs) room_.sets.join(pair.first, pair.second);
-        for (std::uint32_t i = 0; i < room_.boxes.size(); ++i)
-            if (room_.is_restless[i]) room_.is_restless[room_.sets.first_of(i)] = 1;
+        join();
+    }
+    /// Joins what may have touched in a step that is over, which began at the positions `before`.
+    void find_met(std::span<const Vec<D, Real>> before) {
+        constexpr Real little = Real(0.01); // of the size: gaps at which contacts begin
+        room_.boxes.assign(room_.bodies.size(), BoxT{});
+        for (Row row = 0; row < p_.size(); ++row)
+            for (const auto& place : {before[row], p_.position[row]})
+                include(room_.boxes[room_.body_of[row]], row, place);
+        for (const auto& [body, row] : room_.attached) include(room_.boxes[body], row, p_.position[row]);
+        for (auto& box : room_.boxes)
+            if (box.low[0] <= box.high[0]) box = box.grown(little * norm(box.high - box.low));
+        for (const auto& collider : world_.colliders) room_.boxes.push_back(collide::bounds_in_step(collider));
+        join();
     }
     bool is_restless(std::uint32_t body) { return room_.is_restless[room_.sets.first_of(body)] != 0; }
 
@@ -55,6 +64,14 @@ template <int D, class Real> class SleepIslands {
     SleepRoom<D, Real>& room_;
     Real dt_;
 
+    void join() {
+        room_.sets.reset(room_.boxes.size());
+        const auto& pairs = room_.broadphase.find(room_.boxes, [&](auto i, auto k) { return may_touch(i, k); });
+        for (const auto& pair : pairs) room_.sets.join(pair.first, pair.second);
+        for (std::uint32_t i = 0; i < room_.boxes.size(); ++i)
+            if (room_.is_restless[i]) room_.is_restless[room_.sets.first_of(i)] = 1;
+    }
+
     /// Distance within which bodies are near: the way of the fastest particle in the step, and that of one which just
     /// counts as at rest during the delay.
     Real margin() const {
@@ -71,8 +88,8 @@ template <int D, class Real> class SleepIslands {
 
     void make_boxes() {
         room_.boxes.assign(room_.bodies.size(), BoxT{});
-        for (Row row = 0; row < p_.size(); ++row) include(room_.boxes[room_.body_of[row]], row);
-        for (const auto& [body, row] : room_.attached) include(room_.boxes[body], row);
+        for (Row row = 0; row < p_.size(); ++row) include(room_.boxes[room_.body_of[row]], row, p_.position[row]);
+        for (const auto& [body, row] : room_.attached) include(room_.boxes[body], row, p_.position[row]);
         for (const auto& pin : world_.pins)
             if (const auto row = p_.handles.find(pin.particle)) room_.boxes[room_.body_of[*row]].include(pin.target);
         const Real half = Real(0.5) * margin();
@@ -80,11 +97,11 @@ template <int D, class Real> class SleepIslands {
         for (const auto& collider : world_.colliders)
             room_.boxes.push_back(collide::bounds_in_step(collider).grown(half));
     }
-    void include(BoxT& box, Row row) const {
+    void include(BoxT& box, Row row, const Vec<D, Real>& place) const {
         const auto wide = Vec<D, Real>::map([&](int) { return p_.radius[row]; });
-        if (!is_finite(p_.position[row]) || !is_finite(p_.radius[row])) return;
-        box.include(p_.position[row] - wide);
-        box.include(p_.position[row] + wide);
+        if (!is_finite(place) || !is_finite(p_.radius[row])) return;
+        box.include(place - wide);
+        box.include(place + wide);
     }
 
     /// Immovable bodies and colliders at rest do not connect the bodies that lie on them.

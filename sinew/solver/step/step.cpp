@@ -42,6 +42,7 @@ void physical_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt, deta
     const int substeps = world.settings.substeps > 0 ? world.settings.substeps : usual_substeps;
     const Real h = dt / Real(substeps);
     solver.prepare(world);
+    note_energy(world, solver);
     laps.end(Phase::prepare);
     step_blocks(world, solver, dt, h);
     laps.end(Phase::blocks);
@@ -49,6 +50,7 @@ void physical_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt, deta
     end_rolling(world, solver, dt);
     world.last_step = dt;
     world.last_substep = h;
+    bound_energy(world, solver, dt);
 }
 
 template <int D, class Real> void end(World<D, Real>& world, Solver<D, Real>& solver, Real dt) {
