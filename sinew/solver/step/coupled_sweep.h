@@ -4,6 +4,7 @@
 #include "sinew/solver/contact/cloth_contact.h"
 #include "sinew/solver/contact/face_contact.h"
 #include "sinew/solver/contact/figure_contact.h"
+#include "sinew/solver/contact/wall_guard.h"
 #include "sinew/solver/ports/energy_limiter.h"
 #include "sinew/solver/ports/port_coupling.h"
 #include "sinew/solver/sweep/momentum_keeper.h"
@@ -72,8 +73,13 @@ template <int D, class Real> class CoupledSweep {
         contacts.relax();
     }
 
-    /// Before positions advance: thin cloth does not cross itself, and nothing crosses the faces of cloth.
+    /// Before positions advance: nothing passes a wall, thin cloth does not cross itself, nothing crosses the faces of
+    /// cloth.
     void keep_uncrossed(int number) {
+        if (has_figure_contacts(solver_)) {
+            const auto [h, now, count] = span(number);
+            WallGuard<D, Real>(world_, solver_, h, Real(now - 1) / Real(count), Real(now) / Real(count)).hold();
+        }
         constexpr int rounds = 3;
         for (int round = 0;; ++round) {
             if (has_thin_cloth())
