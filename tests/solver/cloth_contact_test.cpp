@@ -1,3 +1,5 @@
+#include "sinew/prefab/cloth.h"
+
 #include "tests/sheets.h"
 #include "tests/worlds.h"
 
@@ -47,6 +49,33 @@ TYPED_TEST(ClothContacts, AFlatSheetPushesNothing) {
             const auto off = *position_of(world, sheet.at(i, k)) - point<Real>(0.01 * i, 0, 0.01 * k);
             EXPECT_LT(double(norm(off)), 1e-6);
         }
+}
+
+/// Stretch of an elastic cloth of 0.6 m that hangs at rest, m.
+template <class Real> double stretch_of_elastic_cloth(bool touches) {
+    Stepped<3, Real> world;
+    fall(world, gravity);
+    world.settings.damping = 4;
+    const auto cloth = build(world,
+                             Cloth{.columns = 7,
+                                   .rows = 7,
+                                   .spacing = 0.1,
+                                   .pins = "top",
+                                   .mass = 2,
+                                   .elasticity = {0.01},
+                                   .shear_elasticity = {0.01},
+                                   .drawn = "fill"},
+                             "cloth");
+    set_contact(world, cloth.figure, {.figures = touches});
+    for (int i = 0; i < 5 * 60; ++i) step(world, Real(1.0 / 60));
+    return double(world.particles.position[3][1] - world.particles.position[6 * 7 + 3][1]) - 0.6;
+}
+
+// Cloth that may touch figures is swept several times an iteration: its springs stay as stiff as they are.
+TYPED_TEST(ClothContacts, ElasticClothIsAsStiffWithContacts) {
+    const double alone = stretch_of_elastic_cloth<TypeParam>(false);
+    EXPECT_GT(alone, 0.05);
+    EXPECT_NEAR(stretch_of_elastic_cloth<TypeParam>(true), alone, 0.05 * alone);
 }
 
 // Layers of two sheets keep 1.5 cells, and the lower one carries the upper one.

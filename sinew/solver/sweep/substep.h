@@ -263,8 +263,8 @@ template <int D, class Real> class Substep {
     }
     DistancePass<Real> pass_over(const Component& component) const {
         return {.per_h2 = mover_.per_h * mover_.per_h,
-                .kept = last_ || component.goes_back() || world_.settings.iterations > 1 ||
-                        !solver_.blocks.attached_trees.empty(),
+                .kept = last_ || component.goes_back() || (is_repeated && component.is_elastic) ||
+                        world_.settings.iterations > 1 || !solver_.blocks.attached_trees.empty(),
                 .last_substep = last_,
                 .overstretched_from = Real(component.is_gathered ? 1.05 * 1.05 : 1.02 * 1.02)};
     }
