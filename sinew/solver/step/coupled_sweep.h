@@ -73,21 +73,20 @@ template <int D, class Real> class CoupledSweep {
         contacts.relax();
     }
 
-    /// Before positions advance: nothing passes a wall, thin cloth does not cross itself, nothing crosses the faces of
-    /// cloth.
+    /// Before positions advance: thin cloth does not cross itself, nothing crosses the faces of cloth, and nothing
+    /// passes a wall.
     void keep_uncrossed(int number) {
-        if (has_figure_contacts(solver_)) {
-            const auto [h, now, count] = span(number);
-            WallGuard<D, Real>(world_, solver_, h, Real(now - 1) / Real(count), Real(now) / Real(count)).hold();
-        }
         constexpr int rounds = 3;
         for (int round = 0;; ++round) {
             if (has_thin_cloth())
                 truncate_thin_cloth<D, Real>(world_, solver_.sweep_state, solver_.contacts->thin, span(number));
-            if (!has_faces()) return;
-            if (!guard_faces(world_, solver_, substeps_.h, round >= rounds) || !has_thin_cloth()) break;
+            if (!has_faces() || !guard_faces(world_, solver_, substeps_.h, round >= rounds) || !has_thin_cloth()) break;
         }
-        advance_face_contacts(solver_, substeps_.h);
+        if (has_figure_contacts(solver_)) {
+            const auto [h, now, count] = span(number);
+            WallGuard<D, Real>(world_, solver_, h, Real(now - 1) / Real(count), Real(now) / Real(count)).hold();
+        }
+        if (has_faces()) advance_face_contacts(solver_, substeps_.h);
     }
 
     /// Iterations over all constraints, once more where the linear models of the ports fed in energy.
