@@ -4,6 +4,7 @@
 #include "sinew/session/similarity.h"
 #include "sinew/world/edit.h"
 
+#include <algorithm>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -189,6 +190,14 @@ template <class WorldT> class Beginning {
     std::optional<AnyWorld> built_;
 };
 
+/// True if a pin holds a particle of a figure.
+template <class WorldT> bool is_pinned(const WorldT& world, std::size_t figure) {
+    return std::ranges::any_of(world.pins, [&](const auto& pin) {
+        const auto row = row_of(world, pin.particle);
+        return row && world.particles.figure[*row] == FigureIndex(figure);
+    });
+}
+
 template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, const Scene& edited, WorldT& fresh) {
     fresh.time = old.time;
     fresh.steps = old.steps;
@@ -213,7 +222,8 @@ template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, co
         if (before->made.index() != after->made.index() || !same_kinds(was, fresh.figures[i])) continue;
         const auto& begun = beginning.world();
         const auto moved = similarity_of(begun, begun.figures[*known], fresh, fresh.figures[i]);
-        if (!moved) continue;
+        // Pins are where the description puts them: a swung figure, turned about its middle now, would be torn off.
+        if (!moved || (!moved->is_translation() && is_pinned(fresh, i))) continue;
         const auto pieces = fresh.figures[i].pieces;
         const auto lost = gone.size() + cut.size();
         figure.carry(gone, cut);

@@ -13,6 +13,11 @@ template <int D> struct Similarity {
     double scale = 1;
     bool is_identity = true; ///< bit for bit
 
+    /// True for a displacement alone.
+    bool is_translation() const {
+        constexpr double exact = 1e-6; // as similarity_of
+        return absolute(scale - 1) <= exact && absolute(turn[0] - 1) <= exact && absolute(turn[1]) <= exact;
+    }
     Vec<D, double> rotated(Vec<D, double> v) const {
         const double x = v[0], y = v[1];
         v[0] = turn[0] * x - turn[1] * y;
@@ -56,7 +61,8 @@ std::optional<Similarity<WorldT::dimension>> similarity_of(const WorldT& before,
         extent += dot(p, p), grown += dot(q, q);
         pairs.push_back({p, q});
     }
-    if (found.is_identity || extent == 0) return found;
+    if (found.is_identity || (extent == 0 && grown == 0)) return found;
+    if (extent == 0 || grown == 0) return std::nullopt;
     found.scale = square_root(grown / extent);
     const double length = square_root(real * real + imaginary * imaginary);
     if (flat > 0 && length > 0) found.turn = {{real / length, imaginary / length}};
