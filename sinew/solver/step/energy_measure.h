@@ -124,6 +124,12 @@ template <int D, class Real> class EnergyMeasure {
             if (component.goes_back())
                 for (Row slot = component.begin.slot; slot < swept_.plan.end_of(component).slot; ++slot)
                     if (const auto body = bodies_.body_of[swept_.row_of[slot]]; elastic[body]) risks[body] = 1;
+        for (const auto& run : swept_.plan.others)
+            if (run.both_ways)
+                visit_table(world_, run.kind, [&](const auto& table) {
+                    for (Row row = run.rows.first; row < run.rows.last; ++row)
+                        if (const auto body = body_of(table, row); body != none) risks[body] = 1;
+                });
         constexpr Real alike = Real(4); // ratio of masses below which a sweep of equal links only ever loses energy
         auto& mobilities = room_.mobilities;
         mobilities.assign(bodies_.bodies.size(), {std::numeric_limits<Real>::max(), Real(0)});

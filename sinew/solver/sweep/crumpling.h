@@ -46,12 +46,13 @@ template <int D, class Real> class Crumpling {
     /// Smallest and largest distance between two pins, as a fraction of the way along the cloth.
     std::pair<Real, Real> spans(const Component& component) const {
         const auto tethers = std::span(plan_.tethers).subspan(component.first_tether, component.tethers);
+        constexpr Real unreachable = Real(0.5) / square(limit::coordinate<Real>); // no way of links joins the pins
         Real least = limit::measure<Real>, most = 0;
         for (const auto& from : tethers)
             for (const auto& to : tethers) {
                 const auto apart = position(component.begin.slot + to.at) - position(component.begin.slot + from.at);
                 const Real half_per_square = plan_.half_per_max_length_square[from.first + to.at];
-                if (from.at == to.at) continue;
+                if (from.at == to.at || !(half_per_square > unreachable)) continue;
                 const Real square_of_span = Real(2) * dot(apart, apart) * half_per_square;
                 least = min(least, square_of_span), most = max(most, square_of_span);
             }
