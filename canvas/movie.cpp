@@ -65,72 +65,43 @@ class MovieWriter : public Writer {
     Ffmpeg ffmpeg;
 };
 
-class Mp4Writer final : public MovieWriter {
+/// A film in 4:2:0, its colours converted to BT.709 and tagged as such: players take untagged ones by the height.
+class FilmWriter : public MovieWriter {
   public:
-    Mp4Writer(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, even) {}
+    FilmWriter(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, even) {}
 
   private:
+    virtual Arguments codec() const = 0;
+    virtual Arguments container() const = 0;
+
     Arguments encoding() const override {
-        return {"-vf",
-                "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+full_chroma_inp",
-                "-c:v",
-                "libx264",
-                "-preset",
-                "veryfast",
-                "-tune",
-                "animation",
-                "-crf",
-                "16",
-                "-pix_fmt",
-                "yuv420p",
-                "-color_primaries",
-                "bt709",
-                "-color_trc",
-                "bt709",
-                "-colorspace",
-                "bt709",
-                "-color_range",
-                "tv",
-                "-movflags",
-                "+faststart",
-                "-f",
-                "mp4",
-                url(partial.path())};
+        const Arguments converted = {"-vf", "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+full_chroma_inp"};
+        const Arguments tagged = {"-pix_fmt",    "yuv420p", "-color_primaries", "bt709", "-color_trc", "bt709",
+                                  "-colorspace", "bt709",   "-color_range",     "tv"};
+        return joined(joined(joined(joined(converted, codec()), tagged), container()), {url(partial.path())});
     }
 };
 
-class WebmWriter final : public MovieWriter {
+class Mp4Writer final : public FilmWriter {
   public:
-    WebmWriter(const fs::path& path, const FrameFormat& frame_format) : MovieWriter(path, frame_format, even) {}
+    using FilmWriter::FilmWriter;
 
   private:
-    Arguments encoding() const override {
-        return {"-vf",
-                "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+full_chroma_inp",
-                "-c:v",
-                "libvpx-vp9",
-                "-pix_fmt",
-                "yuv420p",
-                "-b:v",
-                "0",
-                "-crf",
-                "20",
-                "-deadline",
-                "realtime",
-                "-cpu-used",
-                "6",
-                "-color_primaries",
-                "bt709",
-                "-color_trc",
-                "bt709",
-                "-colorspace",
-                "bt709",
-                "-color_range",
-                "tv",
-                "-f",
-                "webm",
-                url(partial.path())};
+    Arguments codec() const override {
+        return {"-c:v", "libx264", "-preset", "veryfast", "-tune", "animation", "-crf", "16"};
     }
+    Arguments container() const override { return {"-movflags", "+faststart", "-f", "mp4"}; }
+};
+
+class WebmWriter final : public FilmWriter {
+  public:
+    using FilmWriter::FilmWriter;
+
+  private:
+    Arguments codec() const override {
+        return {"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "20", "-deadline", "realtime", "-cpu-used", "6"};
+    }
+    Arguments container() const override { return {"-f", "webm"}; }
 };
 
 class WebpWriter final : public MovieWriter {
