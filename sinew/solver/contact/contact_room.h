@@ -47,6 +47,11 @@ template <int D, class Real> struct ContactRoom {
     detail::ThinRoom<D, Real> thin;
     detail::FaceRoom<D, Real> faces;
 
+    /// A figure that hangs on a particle behind a wall may have no way out of it.
+    bool is_buried_at(Row slot) const {
+        const auto component = projector.links().component_of[slot];
+        return component != detail::RigidLinks<D, Real>::none && is_buried[component] != 0;
+    }
     bool is_of_cloth(Row row) const { return !cloth.empty() && cloth.is_cloth[row]; }
 };
 

@@ -57,13 +57,9 @@ template <int D, class Real> class DeepRows {
         bool any = false;
         for (auto& part : solver_.contacts->parts.list)
             for (const auto i : part.deep)
-                if (i < part.first_wall || !is_buried(part.rows[i])) any = hold(part.rows[i], part.origins[i]) || any;
+                if (i < part.first_wall || !solver_.contacts->is_buried_at(part.rows[i].slot[0]))
+                    any = hold(part.rows[i], part.origins[i]) || any;
         return any;
-    }
-    /// A figure that hangs on a particle behind a wall may have no way out of it.
-    bool is_buried(const RowT& row) {
-        const auto component = projector().links().component_of[row.slot[0]];
-        return component != RigidLinks<D, Real>::none && solver_.contacts->is_buried[component] != 0;
     }
     /// Calls visit(row, origin, distance) for rows of figures that lack more than is of any use; true if there are any.
     template <class Visit> bool each_lacking(const Visit& visit) {

@@ -12,18 +12,19 @@ template <int D, class Real> class WallGuard {
     using Vector = Vec<D, Real>;
 
   public:
-    /// `from`, `to`: shares of the step at the ends of the substep, of length `h`.
-    WallGuard(World<D, Real>& world, Solver<D, Real>& solver, Real h, Real from, Real to)
+    /// `from`, `to`: shares of the step at the ends of the substep.
+    WallGuard(World<D, Real>& world, Solver<D, Real>& solver, SubstepMover<D, Real>& mover, Real from, Real to)
         : world_(world), state_(solver.sweep_state), touches_(solver.touches), contacts_(*solver.contacts),
-          filter_(solver.options.contact_filter), h_(h), from_(from), to_(to) {}
+          plane_(world, solver, mover), h_(mover.h), from_(from), to_(to) {}
 
     void hold() {
         constexpr int rounds = 3; // out of a corner
         if (world_.colliders.empty()) return;
-        for (const auto& particle : contacts_.particles)
-            if (state_.mobility[state_.slot_of[particle.row]] > Real(0) && !is_buried(particle.row))
-                for (int i = 0; i < rounds && hold(particle.row); ++i) {
-                }
+        for (const auto& particle : contacts_.particles) {
+            const Row slot = state_.slot_of[particle.row];
+            int left = state_.mobility[slot] > Real(0) && !contacts_.is_buried_at(slot) ? rounds : 0;
+            while (left > 0 && hold(particle.row)) --left;
+        }
     }
 
   private:
@@ -32,14 +33,9 @@ template <int D, class Real> class WallGuard {
     SweepState<D, Real>& state_;
     const ColliderTouches<D, Real>& touches_;
     const ContactRoom<D, Real>& contacts_;
-    const ContactFilter& filter_;
+    PlaneContact<D, Real> plane_;
     Real h_, from_, to_;
 
-    /// A figure that hangs on a particle behind a wall may have no way out of it.
-    bool is_buried(Row row) const {
-        const auto component = contacts_.projector.links().component_of[state_.slot_of[row]];
-        return component != RigidLinks<D, Real>::none && contacts_.is_buried[component] != 0;
-    }
     /// True if a collider has cut the displacement.
     bool hold(Row row) {
         const auto moved = state_.displacement_at(state_.slot_of[row]);
@@ -71,32 +67,19 @@ template <int D, class Real> class WallGuard {
         const collide::MovingCollider<D, Real> moving(collider, from_, to_, h_, cover);
         bool any = false;
         moving.contacts(begun, ended, kept, [&](const auto& contact) {
-            const auto& [point, normal, distance, feature] = contact.surface;
-            const auto at = begun + state_.displacement_at(slot);
-            const Real lacking = kept - dot(normal, at - point);
-            // A surface of several parts: a part behind another one is far beyond the way.
+            const auto& point = contact.surface.point;
+            const auto& normal = contact.surface.normal;
+            const Real lacking = kept - dot(normal, begun + state_.displacement_at(slot) - point);
+            // Of a surface of several parts, a part behind another one is far beyond the way.
             const Real most = norm(ended - begun - contact.surface_displacement) + kept;
-            if (!(lacking > Real(0)) || lacking > most || !is_admitted(row, index, contact)) return;
+            auto rub = surface_between(world_, row, collider);
+            if (!(lacking > Real(0)) || lacking > most ||
+                !plane_.is_admitted({normal, dot(normal, point)}, slot, contact.surface_displacement, index, rub))
+                return;
             state_.set_displacement(slot, state_.displacement_at(slot) + normal * lacking);
             any = true;
         });
         return any;
-    }
-    bool is_admitted(Row row, std::uint32_t collider, const collide::ColliderContact<D, Real>& contact) const {
-        if (!filter_) return true;
-        const auto rub = surface_between(world_, row, world_.colliders[collider]);
-        const auto& normal = contact.surface.normal;
-        const auto slot = state_.slot_of[row];
-        const auto moved = state_.displacement_at(slot) - contact.surface_displacement;
-        const auto away = state_.position_at(slot) - contact.surface.point + contact.surface_displacement;
-        PendingContact pending{.particle = row,
-                               .collider = collider,
-                               .gap = double(dot(normal, away) - world_.particles.radius[row]),
-                               .speed = -double(dot(normal, moved) / h_),
-                               .friction = double(rub.friction),
-                               .restitution = double(rub.restitution)};
-        pending.set_normal(normal);
-        return filter_.ask(pending);
     }
 };
 

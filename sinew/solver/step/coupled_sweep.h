@@ -64,7 +64,7 @@ template <int D, class Real> class CoupledSweep {
         solve_faces();
         contacts.solve();
         limiter.find_gains();
-        keep_uncrossed(number);
+        keep_uncrossed(substep, number);
         for (const auto& tile : plan_.tiles) substep.advance(tile);
         keeper_.restore(bodies);
         limiter.take_gains();
@@ -75,7 +75,7 @@ template <int D, class Real> class CoupledSweep {
 
     /// Before positions advance: thin cloth does not cross itself, nothing crosses the faces of cloth, and nothing
     /// passes a wall.
-    void keep_uncrossed(int number) {
+    void keep_uncrossed(Substep<D, Real>& substep, int number) {
         constexpr int rounds = 3;
         for (int round = 0;; ++round) {
             if (has_thin_cloth())
@@ -83,8 +83,8 @@ template <int D, class Real> class CoupledSweep {
             if (!has_faces() || !guard_faces(world_, solver_, substeps_.h, round >= rounds) || !has_thin_cloth()) break;
         }
         if (has_figure_contacts(solver_)) {
-            const auto [h, now, count] = span(number);
-            WallGuard<D, Real>(world_, solver_, h, Real(now - 1) / Real(count), Real(now) / Real(count)).hold();
+            const Real count = Real(substeps_.count);
+            WallGuard<D, Real>(world_, solver_, substep.mover(), Real(number - 1) / count, Real(number) / count).hold();
         }
         if (has_faces()) advance_face_contacts(solver_, substeps_.h);
     }
