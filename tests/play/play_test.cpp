@@ -231,7 +231,7 @@ TEST(Play, AnEditGoesOnWhereTheWorldIs) {
     EXPECT_EQ(pixel_of(play, "bob/right_hand"), hand);
 }
 
-// Of another friction, colour or place: the description begins in a similar form.
+// An edit of friction, colour or place leaves a description that begins in a similar form.
 TEST(Play, AnEditedFigureGoesOnAsItMovesAndOneThatIsMovedMovesSo) {
     Play play(library, "ragdoll");
     for (int i = 0; i < 60; ++i) play.advance(1.0 / 60);
