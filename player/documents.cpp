@@ -353,6 +353,10 @@ void Play::close() {
         settings = false;
     else if (restoration_)
         restoration_.reset();
+    else if (tour.is_on())
+        tour.end();
+    else if (!chosen.empty())
+        chosen.clear();
     else
         ask_to_quit();
 }

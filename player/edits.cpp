@@ -28,6 +28,11 @@ void Play::redo() {
 /// `scenes`: one per pane.
 void Play::become(const std::vector<Scene>& scenes, const std::string& name, bool goes_on) {
     let_go_of_everything();
+    apply(scenes, name, goes_on);
+}
+
+/// The same while a tool is busy.
+void Play::apply(const std::vector<Scene>& scenes, const std::string& name, bool goes_on) {
     each_pane([&] { timeline().edit(Become{std::make_shared<const Scene>(scenes[active_])}, name, goes_on); });
     clock_->set_rate(session().scene().solver.rate);
     tell("edit", {{"edit", name}});
@@ -56,11 +61,16 @@ void Play::edit(Action action, std::string name) {
 }
 
 bool Play::add_figure(json::Object figure, const std::string& name) {
-    auto changed = edited(session().scene(), [&](json::Object& root) { append(root, "figures", std::move(figure)); });
+    if (!add("figures", std::move(figure), name)) return false;
+    tell("add", {{"figure", name}});
+    return true;
+}
+
+bool Play::add(std::string_view list, json::Object element, const std::string& name) {
+    auto changed = edited(session().scene(), [&](json::Object& root) { append(root, list, std::move(element)); });
     if (!changed.scene) return report_problem(std::move(changed.problem)), false;
     timeline().edit(Become{std::make_shared<const Scene>(std::move(*changed.scene))}, "add " + name);
     tell("edit", {{"edit", "add " + name}});
-    tell("add", {{"figure", name}});
     return true;
 }
 

@@ -10,7 +10,9 @@ namespace sinew::play {
 namespace {
 
 constexpr std::array actions = {
-    KeyAction{"pause", "p", "pause, and go on", [](Play& play) { play.pause(!play.clock().paused()); }},
+    KeyAction{"pause", "space", "pause, and go on", [](Play& play) { play.pause(!play.clock().paused()); }},
+    KeyAction{"hold", "p", "the same, also where space makes somebody jump",
+              [](Play& play) { play.pause(!play.clock().paused()); }},
     KeyAction{"step", "o", "one step", [](Play& play) { play.step(); }},
     KeyAction{"back", "b", "one step back", [](Play& play) { play.step_back(); }},
     KeyAction{"restart", "r", "restart", [](Play& play) { play.restart(); }},
@@ -29,6 +31,10 @@ constexpr std::array actions = {
     KeyAction{"theme", "t", "light or dark", [](Play& play) { play.switch_theme(); }},
     KeyAction{"screenshot", "s", "screenshot", [](Play& play) { play.screenshot(); }},
     KeyAction{"film", "v", "record a film", [](Play& play) { play.toggle_recording(); }},
+    KeyAction{"follow", "h", "the camera follows what is chosen, or the figure under the pointer",
+              [](Play& play) { play.toggle_follow(); }},
+    KeyAction{"choose_all", "ctrl+a", "choose everything", [](Play& play) { play.choose_all(); }},
+    KeyAction{"duplicate", "ctrl+d", "copy what is chosen", [](Play& play) { play.duplicate_chosen(); }},
     KeyAction{"undo", "ctrl+z", "undo", [](Play& play) { play.undo(); }},
     KeyAction{"redo", "ctrl+y", "do again", [](Play& play) { play.redo(); }},
     KeyAction{"new", "ctrl+n", "new scene", [](Play& play) { play.open_new(); }},

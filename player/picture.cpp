@@ -98,9 +98,4 @@ void Play::take_pictures(const Picture& picture) {
     if (const auto failure = film_.add(session(), picture)) report_problem(*failure);
 }
 
-double Play::hint_strength() const {
-    constexpr double shown = 10, fades = 1; // seconds
-    return hint ? std::clamp((shown - hint_age_) / fades, 0.0, 1.0) : 0;
-}
-
 } // namespace sinew::play

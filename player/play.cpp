@@ -85,6 +85,7 @@ void Play::begin(std::vector<Pane> panes) {
     problem_.clear();
     message.clear();
     hovered.reset(), selected.reset();
+    chosen.clear(), followed.reset();
     saved_edits_ = draft_.edits = 0;
     const double scale = clock_ ? clock_->scale() : 1;
     const bool paused = clock_ && clock_->paused();
@@ -138,8 +139,6 @@ void Play::read_again() {
 // --- time ------------------------------------------------------------------------------------------------------------
 
 void Play::advance(double seconds, const std::function<bool()>& enough) {
-    film_.advance(seconds);
-    if (hint) hint_age_ += seconds;
     if (restoration_) {
         restoration_->advance(enough);
         if (restoration_->done()) end_restoration();
@@ -147,6 +146,9 @@ void Play::advance(double seconds, const std::function<bool()>& enough) {
     }
     look_at_file(seconds);
     tend_draft(seconds);
+    if (has_dialog()) return;
+    film_.advance(seconds);
+    tour.advance(seconds);
     for (int due = clock_->advance(seconds); due > 0; --due) {
         each_pane([&] { timeline().step(); });
         look_at_level();
@@ -158,6 +160,8 @@ void Play::advance(double seconds, const std::function<bool()>& enough) {
     }
     if (over_ && !held_) hovered = pick_here(); // particles move under a resting pointer
     find_selected_again();
+    forget_missing_parts();
+    follow(seconds);
 }
 
 void Play::pause(bool on) {
@@ -226,10 +230,13 @@ void Play::handle(const Input& input) {
         void operator()(const Key& key) const { play.key(key.name); }
         void operator()(const KeyUp& key) const {
             play.steer(key.name, false);
-            if (key.name == "space") play.space_ = false;
+            if (key.name.ends_with("shift")) play.shift_held = false;
         }
         void operator()(const Left&) const { play.over_ = false, play.hovered.reset(); }
     };
+    const bool acts = std::holds_alternative<Pressed>(input) || std::holds_alternative<Scrolled>(input) ||
+                      std::holds_alternative<Pinched>(input);
+    if (acts && has_dialog()) return;
     std::visit(Handler{*this}, input);
 }
 
@@ -268,7 +275,7 @@ void Play::moved(Vec2<double> to) {
     over_ = true;
     if (busy_) return busy_->move(*this);
     const bool around = held_ == Button::left || held_ == Button::right;
-    if (held_ && (held_ == Button::middle || space_)) return each_pane([&] { camera().pan(session(), by); });
+    if (held_ == Button::middle) return each_pane([&] { camera().pan(session(), by); });
     if (held_ && around) return each_pane([&] { camera().orbit(session(), by); });
     hovered = pick_here();
     if (clock_->paused()) return;
@@ -286,20 +293,19 @@ Tool& Play::current_tool() {
 
 /// With the grab tool, a press on the background turns the camera of a 3D scene.
 void Play::pressed(Button button) {
-    if (held_ || question || restoration_) return;
+    if (held_ || restoration_) return;
     held_ = button;
-    if (button == Button::middle || space_) return;
-    auto& chosen = current_tool();
-    if (button == Button::left && chosen.name() == "grab" && !pick_here()) {
+    if (button == Button::middle) return;
+    auto& using_tool = current_tool();
+    if (button == Button::left && using_tool.name() == "grab" && !pick_here()) {
         selected.reset();
         if (session().scene().dimension == 3) return;
     }
-    busy_ = &chosen;
+    busy_ = &using_tool;
     if (button == Button::right)
         for (auto& one : tools_)
             if (one->name() == "cut") busy_ = one.get();
     busy_->press(*this);
-    if (session().holds()) hint = false;
 }
 
 void Play::released(Button button) {
@@ -315,11 +321,14 @@ void Play::let_go_of_everything() {
 
 void Play::key(const std::string& name) {
     const auto action = keys.action_of(name);
-    const bool is_page = settings && action == "settings";
+    const bool is_page =
+        !question && !path_request && problem_.empty() && (action == "settings" || (action == "help" && !settings));
     if (question && name == "return") return answer(0);
-    if ((question || path_request || settings) && action != "close" && !is_page) return;
+    if (name == "return" && !path_request && !problem_.empty()) return dismiss_problem();
+    if (name.ends_with("shift")) return void(shift_held = true);
+    if (has_dialog() && action != "close" && !is_page) return;
     if (steer(name, true)) return;
-    if (name == "space") space_ = true;
+    if (action == "remove" && !chosen.empty()) return remove(std::vector(chosen));
     for (auto& one : tools_)
         if (one->name() == action) {
             let_go_of_everything();
@@ -351,6 +360,7 @@ bool Play::steer(const std::string& key, bool is_down) {
 // --- events ----------------------------------------------------------------------------------------------------------
 
 void Play::tell(std::string what, json::Object more) {
+    if (!muted_) tour.hear(what);
     if (listener && !muted_) listener({std::move(what), std::move(more)});
 }
 

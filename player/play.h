@@ -3,14 +3,17 @@
 #include "sinew/picture/picture.h"
 
 #include "player/clock.h"
+#include "player/draft.h"
 #include "player/film.h"
 #include "player/input.h"
 #include "player/keys.h"
 #include "player/pane.h"
 #include "player/pick.h"
 #include "player/question.h"
+#include "player/reshape.h"
 #include "player/scene_library.h"
 #include "player/state_file.h"
+#include "player/tour.h"
 
 #include <functional>
 #include <memory>
@@ -26,13 +29,6 @@ class Tool;
 struct Told {
     std::string what;
     json::Object more;
-};
-
-/// The file that keeps unsaved edits.
-struct Draft {
-    std::filesystem::path path; ///< empty if no drafts are kept
-    std::int64_t edits = 0;     ///< the timeline's edits at the last draft
-    double age = 0;             ///< seconds since the last draft
 };
 
 /// Interactive player of a scene: takes input, gives pictures. Independent of windows; a script drives a Play as a
@@ -90,6 +86,8 @@ class Play {
     void edit(Action action, std::string name);
     /// Adds a figure, given as in a file, to the scene.
     bool add_figure(json::Object figure, const std::string& name);
+    /// The same in any list of the scene.
+    bool add(std::string_view list, json::Object element, const std::string& name);
     /// Sets one value of the scene by its path, as on the command line; false after reporting an invalid value.
     /// `goes_on` merges the edit with the preceding one of the same path.
     bool set(const std::string& path, const std::string& value, bool goes_on = false);
@@ -135,6 +133,8 @@ class Play {
     void close();
     void ask_to_quit();
 
+    /// True while a dialog, a page or a problem is in front: nothing moves, and no key acts.
+    bool has_dialog() const { return question || path_request || settings || help || !problem_.empty(); }
     std::optional<Question> question;
     std::optional<PathRequest> path_request;
     void answer(std::size_t number);
@@ -164,10 +164,29 @@ class Play {
     /// Calls act() for every pane, made the active one in turn. Events of panes away from the pointer are not reported.
     void each_pane(const std::function<void()>& act);
 
+    // --- selection (selection.cpp)
+
+    std::vector<Part> chosen;     ///< by the select tool
+    std::optional<Part> followed; ///< by the camera
+    bool shift_held = false;
+    void choose(const std::optional<Part>& part, bool adds);
+    void choose_all();
+    bool is_chosen(const Part& part) const;
+    std::optional<Part> part_here() const;               ///< under the pointer
+    std::string figure_name(const Picked& picked) const; ///< empty if none
+    /// Moves, turns and scales parts of the scene as they are; `goes_on` as in set(). False after reporting a failure.
+    bool reshape(const std::vector<Part>& parts, const Reshape& by, const std::string& name, bool goes_on);
+    void duplicate_chosen();
+    void remove(const std::vector<Part>& parts);
+    /// Displacement in the scene of something at `from` that moves by pixels.
+    Point shift_of(const Point& from, Vec2<double> pixels) const;
+    void toggle_follow();
+
     OverlaySet overlay;
     std::string tool = "grab";        ///< a name of all_tools()
     std::string prefab = "box";       ///< made by the spawn tool
     json::Object prefab_parameters{}; ///< parameters of `prefab`
+    std::string joint = "hinge";      ///< made by the join tool: a name of `joints`
     std::string theme;                ///< replaces the scene's theme unless empty
     std::string shown_theme() const { return theme.empty() ? session().scene().view.theme : theme; }
     bool panel = true, help = false;
@@ -176,10 +195,7 @@ class Play {
     bool quit = false;
     Keys keys;
 
-    /// True until the first drag of a new player: enables the hint.
-    bool hint = false;
-    /// Opacity of the hint: 1 at first, 0 after ten seconds or the first drag.
-    double hint_strength() const;
+    Tour tour;
 
     std::optional<Picked> hovered, selected;
     /// Selects particles; the selection survives edits of the scene while the particles have names.
@@ -219,6 +235,9 @@ class Play {
     void tend_draft(double seconds);
     void drop_draft();
     void become(const std::vector<Scene>& scenes, const std::string& name, bool goes_on);
+    void apply(const std::vector<Scene>& scenes, const std::string& name, bool goes_on);
+    void forget_missing_parts();
+    void follow(double seconds);
     void switch_pane(std::size_t number);
     void resize_eyes();
     void moved(Vec2<double> to);
@@ -263,7 +282,6 @@ class Play {
     bool over_ = false;                       ///< the pointer is over the picture
     int width_ = 1280, height_ = 720;
     double density_ = 1;
-    bool space_ = false;
     std::vector<std::string> steering_keys_; ///< held down, of those that steer
     std::optional<Button> held_;
     std::vector<std::unique_ptr<Tool>> tools_;
@@ -272,8 +290,7 @@ class Play {
     std::int64_t saved_edits_ = 0;                  ///< the timeline's edits at the last save
     std::string saved_as_;                          ///< the scene's text at the last save
     Draft draft_;
-    double hint_age_ = 0; ///< seconds since the hint appeared
-    Point gravity_;       ///< gravity to restore when switched on again
+    Point gravity_; ///< gravity to restore when switched on again
     std::vector<std::filesystem::path> screenshots_;
     Film film_;
 };

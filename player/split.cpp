@@ -1,4 +1,5 @@
 #include "canvas/beside.h"
+#include "player/pin_marks.h"
 #include "player/play.h"
 #include "player/tool.h"
 
@@ -92,7 +93,10 @@ void Play::paint_scene(std::size_t number, Picture& picture) {
 void Play::paint_pointer(std::size_t number, Picture& picture) {
     const auto under_pointer = std::exchange(active_, number);
     if (is_split()) label_pane(number, picture);
+    constexpr std::size_t pins = 2; // of `overlays`
+    if (!overlay.test(pins)) draw_pin_marks(session().world(), view(), theme_called(shown_theme()), picture);
     if (number == under_pointer) highlight(picture);
+    current_tool().draw_idle(*this, picture);
     if (busy_) busy_->draw(*this, picture);
     active_ = under_pointer;
 }

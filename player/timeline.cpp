@@ -68,6 +68,7 @@ Timeline::Timeline(Session session, std::vector<LoggedAction> future, std::uint6
 }
 
 void Timeline::step() {
+    ++revision_;
     between_.remember(session_.world());
     session_.step();
     log_.step();
@@ -80,6 +81,7 @@ void Timeline::step() {
 }
 
 void Timeline::apply(const Action& action) {
+    ++revision_;
     carry_out(action, session_);
     log_.note(action, session_);
     if (leaps(action)) between_.forget();
@@ -115,6 +117,7 @@ void Timeline::go_to(std::uint64_t step) {
     const auto after = std::upper_bound(marks_.begin(), marks_.end(), step,
                                         [](std::uint64_t at, const Mark& mark) { return at < mark.step; });
     const auto& mark = *std::prev(after);
+    ++revision_;
     between_.forget();
     session_ = mark.session;
     log_.go_to(mark.at);

@@ -42,6 +42,8 @@ class Timeline {
     Recipe recipe() const { return log_.recipe(); }
 
     std::uint64_t now() const { return now_; }
+    /// Number of changes of the state so far: by steps, actions and ways back.
+    std::uint64_t revision() const { return revision_; }
     std::uint64_t first() const { return marks_.front().step; } ///< earliest restorable step
     std::uint64_t end() const { return end_; }                  ///< latest step reached
 
@@ -97,7 +99,7 @@ class Timeline {
     Session session_;
     ActionLog log_;
     Interpolator between_;
-    std::uint64_t now_ = 0, end_ = 0;
+    std::uint64_t now_ = 0, end_ = 0, revision_ = 0;
     std::uint64_t spacing_ = 0; ///< steps between marks
     std::deque<Mark> marks_;
     std::deque<Done> done_;

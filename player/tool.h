@@ -20,11 +20,15 @@ class Tool {
     virtual void release(Play&) {}
     /// Draws over the scene, while the tool is busy.
     virtual void draw(const Play&, Picture&) const {}
+    /// Draws over the scene as long as the tool is the chosen one.
+    virtual void draw_idle(const Play&, Picture&) const {}
 };
 
 /// The list of tools, in the order of the toolbar. A new tool is a file with a factory function, and a word
 /// here.
-#define SINEW_TOOLS(X) X(grab) X(pin) X(cut) X(rope) X(polygon) X(cloth) X(spawn) X(remove) X(measure)
+#define SINEW_TOOLS(X)                                                                                                 \
+    X(grab)                                                                                                            \
+    X(select) X(pin) X(cut) X(join) X(rope) X(polygon) X(cloth) X(spawn) X(wall) X(terrain) X(remove) X(measure)
 
 namespace tool {
 #define SINEW_DECLARE(name) std::unique_ptr<Tool> name();

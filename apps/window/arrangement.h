@@ -14,7 +14,7 @@ struct Area {
 /// Layout of a window of any size. Bars shrink in small windows; in narrow ones the panel becomes a drawer over the
 /// scene, and a window too small for bars shows the scene alone.
 struct Arrangement {
-    static constexpr int tool_buttons = 11; ///< all tools, undo, redo
+    static constexpr int tool_buttons = 15; ///< all tools, undo, redo
 
     Area scene, menu, tools, time, side;
     bool bars = false;
@@ -53,12 +53,15 @@ struct Arrangement {
     }
 
   private:
-    /// Chooses one column of buttons, as large as the height allows, or two where buttons would be too small.
+    /// Chooses one column of buttons, as large as the height allows, or two or three where they would be too small.
     void choose_tools(float room, float scale) {
         constexpr float largest = 40, smallest = 22, gap = 4, margins = 26; // nominal pixels
         const auto fitting = [&](int rows) { return (room / scale - margins) / float(rows) - gap; };
-        tool_columns = fitting(tool_buttons) < smallest ? 2 : 1;
-        const int rows = (tool_buttons + tool_columns - 1) / tool_columns;
+        int rows = tool_buttons;
+        for (tool_columns = 1; tool_columns < 3 && fitting(rows) < smallest;) {
+            ++tool_columns;
+            rows = (tool_buttons + tool_columns - 1) / tool_columns;
+        }
         tool_side = std::clamp(fitting(rows), 14.0F, largest) * scale;
     }
 };

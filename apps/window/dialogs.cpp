@@ -106,7 +106,8 @@ void Dialogs::path() {
     if (!typing_) ImGui::SetKeyboardFocusHere();
     typing_ = true;
     ImGui::SetNextItemWidth(-1);
-    bool chosen = ImGui::InputText("##path", typed_.data(), typed_.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    bool chosen = ImGui::InputText("##path", typed_.data(), typed_.size(),
+                                   ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     folder(words.ending);
     const fs::path typed(typed_.data());
     std::error_code unknown;

@@ -17,6 +17,8 @@ void GuiInput::take(const SDL_Event& event) {
     const bool is_new = event.type == SDL_KEYUP &&
                         std::find(new_keys_.begin(), new_keys_.end(), event.key.keysym.scancode) != new_keys_.end();
     if (is_new) return late_releases_.push_back(event);
+    const bool is_tab = (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) && event.key.keysym.sym == SDLK_TAB;
+    if (is_tab && !ImGui::GetIO().WantTextInput) return; // the panel's key; ImGui would go into a field as well
     if (event.type == SDL_KEYDOWN) new_keys_.push_back(event.key.keysym.scancode);
     ImGui_ImplSDL2_ProcessEvent(&event);
 }

@@ -47,6 +47,28 @@ constexpr std::array icons = {
              pen.fill({{-0.75F, -0.95F}, {0.75F, 0.1F}, {0.05F, 0.2F}, {-0.75F, 0.85F}});
              pen.line({{0.0F, 0.1F}, {0.5F, 0.95F}});
          }},
+    Icon{"select",
+         [](const Pen& pen) {
+             pen.line({{-0.9F, -0.45F}, {-0.9F, -0.9F}, {-0.45F, -0.9F}});
+             pen.line({{0.45F, -0.9F}, {0.9F, -0.9F}, {0.9F, -0.45F}});
+             pen.line({{0.9F, 0.45F}, {0.9F, 0.9F}, {0.45F, 0.9F}});
+             pen.line({{-0.45F, 0.9F}, {-0.9F, 0.9F}, {-0.9F, 0.45F}});
+             pen.dot({0, 0}, 0.4F);
+         }},
+    Icon{"join",
+         [](const Pen& pen) {
+             pen.ring({-0.6F, 0.6F}, 0.32F), pen.ring({0.6F, -0.6F}, 0.32F);
+             pen.line({{-0.36F, 0.36F}, {0.36F, -0.36F}});
+         }},
+    Icon{"wall",
+         [](const Pen& pen) {
+             pen.fill({{-0.95F, 0.45F}, {-0.75F, 0.85F}, {0.95F, -0.45F}, {0.75F, -0.85F}});
+         }},
+    Icon{"terrain",
+         [](const Pen& pen) {
+             pen.curve({-0.95F, 0.3F}, {-0.4F, -1.3F}, {0.1F, 1.2F}, {0.95F, -0.4F});
+             pen.line({{-0.95F, 0.85F}, {0.95F, 0.85F}});
+         }},
     Icon{"pin",
          [](const Pen& pen) {
              pen.dot({0, -0.45F}, 0.5F);

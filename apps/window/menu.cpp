@@ -48,6 +48,10 @@ void edit_menu(Play& play) {
     if (entry(play, ("Undo " + undo).c_str(), "undo", !undo.empty())) play.undo();
     if (entry(play, ("Redo " + redo).c_str(), "redo", !redo.empty())) play.redo();
     ImGui::Separator();
+    if (entry(play, "Choose everything", "choose_all")) play.choose_all();
+    if (entry(play, "Duplicate", "duplicate", !play.chosen.empty())) play.duplicate_chosen();
+    if (entry(play, "Delete", "remove", !play.chosen.empty())) play.remove(std::vector(play.chosen));
+    ImGui::Separator();
     if (entry(play, "Copy scene as text", "copy")) play.copy_scene();
     if (entry(play, "Run scene from clipboard", "paste")) play.open_clipboard();
 }
@@ -66,6 +70,8 @@ void view_menu(Play& play) {
     }
     ImGui::Separator();
     if (entry(play, "See everything", "see_all")) play.each_pane([&] { play.camera().home(play.session()); });
+    if (ImGui::MenuItem("Camera follows", play.keys.of("follow").c_str(), play.followed.has_value()))
+        play.toggle_follow();
     if (entry(play, "Light or dark", "theme")) play.switch_theme();
     if (entry(play, "Panel and bars", "panel")) play.panel = false;
 }
@@ -85,6 +91,7 @@ void menu_bar(Play& play, bool docked, bool& drawer) {
     menu("View", [&] { view_menu(play); });
     menu("Help", [&] {
         if (entry(play, "Keys", "help")) play.help = true;
+        if (entry(play, "Tour")) play.tour.begin();
     });
     if (!docked) {
         const char* const word = drawer ? "Hide panel" : "Panel";

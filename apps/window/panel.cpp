@@ -1,6 +1,7 @@
 #include "apps/window/panel.h"
 
 #include "apps/window/bars.h"
+#include "apps/window/figure_form.h"
 #include "apps/window/inspector.h"
 #include "apps/window/label.h"
 #include "apps/window/menu.h"
@@ -73,7 +74,7 @@ void Panel::show() {
         }
     }
     message();
-    hint();
+    tour();
     dialogs_.show(look(), fonts_, scale_, width_, height_);
     popup_open_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
@@ -125,12 +126,18 @@ void Panel::side() {
     title();
     if (play_.tool == "spawn" && section("PREFAB", "what the spawn tool puts in, and how it is made", true))
         prefab_form(play_, look());
+    if (play_.tool == "join" && section("JOINT", "what the join tool makes, from one figure to another", true))
+        joint_form(play_, look());
+    if (!chosen_figures(play_).empty() && section("FIGURE", "looks and contact of the chosen figures", true))
+        figure_form(play_, look(), scale_);
     if (section("SCENES", "the catalogue: press one to open it", true)) browser_.show(look(), fonts_, scale_);
     if (section("PARAMETERS", "numbers of the world, the solver and every figure: drag them", false))
         sliders(play_, look(), fonts_);
     if (section("OVERLAYS", "what can be laid over the scene to see into it", false)) overlay_chips(play_, look());
     if (section("INSPECTOR", "the particle that was pressed last, or that the pointer is over", true))
         inspector(play_, look(), fonts_);
+    if (section("PLOT", "curves of any quantity: of everything, or of the selected particle", false))
+        statistics_.plots(play_, look(), fonts_, scale_);
     if (section("STATISTICS", "counts, times and energies of the running scene", true))
         statistics_.show(play_, look(), fonts_, scale_);
     ImGui::Dummy({0, 12 * scale_});
@@ -158,10 +165,9 @@ void Panel::message() {
     write_over_scene(last_message_, 1, float(std::min(1.0, (shown - age) * 2)));
 }
 
-void Panel::hint() {
-    if (const double strength = play_.hint_strength(); strength > 0 && !play_.help)
-        write_over_scene("Drag anything. The right button cuts, the wheel zooms, F1 shows the keys.", 0.12F,
-                         float(strength));
+/// The line of the tour.
+void Panel::tour() {
+    if (play_.tour.is_on() && !play_.has_dialog()) write_over_scene(play_.tour.text(), 0.06F, 1);
 }
 
 } // namespace sinew::window

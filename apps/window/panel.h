@@ -41,7 +41,7 @@ class Panel {
     void side();
     void title();
     void message();
-    void hint();
+    void tour();
     void write_over_scene(const std::string& text, float share, float alpha);
     bool section(const char* name, const char* help, bool open);
 

@@ -29,7 +29,7 @@ struct Settings {
         visit(self.panel, Field{.name = "panel", .help = "True if the panel is shown"});
         visit(self.free_running, Field{.name = "free_running", .help = "True if pictures do not wait for the display"});
         visit(self.text_size, Field{.name = "text_size", .help = "Factor for letters and bars", .low = 0.5, .high = 4});
-        visit(self.hint, Field{.name = "hint", .help = "True until the first drag; enables the hint"});
+        visit(self.hint, Field{.name = "hint", .help = "True at the first start: begins with the tour"});
         visit(self.recent, Field{.name = "recent", .help = "Recent files, the latest first"});
         visit(self.keys, Field{.name = "keys", .help = "Changed keys of actions and tools"});
     }

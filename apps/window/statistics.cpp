@@ -3,6 +3,7 @@
 #include "sinew/world/edit.h"
 
 #include "apps/window/label.h"
+#include "player/quantity.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -110,12 +111,20 @@ void Statistics::steps(double seconds, std::uint64_t count, const PhaseTimes& ph
 
 void Statistics::sample(play::Play& play) {
     constexpr double every = 0.1; // seconds of real time
-    if (play.scene_name() != scene_) energies_.clear(), step_times_.clear(), sampled_ = ~0ULL;
+    const auto revision = play.timeline().revision();
+    const bool begins = play.session().seconds() == 0 && report_.seconds > 0;
+    if (play.scene_name() != scene_ || (begins && revision != sampled_)) {
+        energies_.clear(), step_times_.clear();
+        for (auto& plot : plots_) plot.values.clear();
+        sampled_ = ~0ULL, since_ = -every;
+    }
     scene_ = play.scene_name();
-    if (ImGui::GetTime() - since_ < every || play.timeline().now() == sampled_) return;
+    if (ImGui::GetTime() - since_ < every || revision == sampled_) return;
     since_ = ImGui::GetTime();
-    sampled_ = play.timeline().now();
+    sampled_ = revision;
     report_ = play.session().report();
+    for (auto& plot : plots_)
+        if (const auto value = play::value_of(plot.quantity, play, report_)) keep(plot.values, float(*value), max);
     largest_tension_ = largest_tension(play.session().world());
     const auto units = play.session().scene().measures();
     const double joules = units.per_second * units.per_second / (units.per_metre * units.per_metre);
@@ -165,6 +174,42 @@ void Statistics::hash(play::Play& play, const Look& look, const Fonts& fonts) co
     ImGui::PopFont();
     tooltip(std::string(hash) + ": press to copy it");
     if (pressed) play.copy_hash();
+}
+
+void Statistics::plots(play::Play& play, const Look& look, const Fonts& fonts, float scale) {
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::BeginCombo("##quantity", "plot a quantity")) {
+        for (const auto& quantity : play::quantities_of(play)) {
+            const auto known = std::ranges::find(plots_, quantity.name, [](const Plot& plot) { return plot.quantity; });
+            if (ImGui::Selectable(quantity.name.c_str(), known != plots_.end())) {
+                if (known == plots_.end())
+                    plots_.push_back({quantity.name, {}});
+                else
+                    plots_.erase(known);
+            }
+            tooltip(quantity.about);
+        }
+        ImGui::EndCombo();
+    }
+    ImGui::PushFont(fonts.small);
+    std::size_t gone = plots_.size();
+    for (std::size_t i = 0; i < plots_.size(); ++i) {
+        const auto& values = plots_[i].values;
+        float low = 0, high = 0;
+        if (!values.empty()) low = *std::ranges::min_element(values), high = *std::ranges::max_element(values);
+        const auto now = values.empty() ? std::string("no value yet") : text("%.4g", double(values.back()));
+        graph_title(plots_[i].quantity.c_str(), "press it to take it away",
+                    values.empty() ? now
+                                   : now + text(", %.3g to ", double(low)) + text("%.3g ", double(high)) +
+                                         play::unit_of(plots_[i].quantity, play),
+                    {}, look);
+        if (ImGui::IsItemClicked()) gone = i;
+        const auto frame = graph_frame(look, 56 * scale);
+        if (high <= low) low -= 0.5F, high += 0.5F; // a level line
+        plot(frame, values, low, high, max, packed(look.accent), 1.6F * scale, [](float value) { return value; });
+    }
+    ImGui::PopFont();
+    if (gone < plots_.size()) plots_.erase(plots_.begin() + std::ptrdiff_t(gone));
 }
 
 /// Times of the phases stacked, below a line for the whole step.

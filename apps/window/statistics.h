@@ -6,6 +6,8 @@
 #include "player/play.h"
 
 #include <deque>
+#include <string>
+#include <vector>
 
 namespace sinew::window {
 
@@ -21,8 +23,17 @@ class Statistics {
     /// Samples the world at most ten times per second.
     void sample(play::Play& play);
     void show(play::Play& play, const Look& look, const Fonts& fonts, float scale);
+    /// Curves of chosen quantities over the last samples.
+    void plots(play::Play& play, const Look& look, const Fonts& fonts, float scale);
+    std::size_t samples() const { return energies_.size(); }
+    const Report& report() const { return report_; }
 
   private:
+    /// A quantity, and its values at the samples.
+    struct Plot {
+        std::string quantity;
+        std::deque<float> values;
+    };
     void numbers(play::Play& play, const Look& look) const;
     void hash(play::Play& play, const Look& look, const Fonts& fonts) const;
     void times(const Look& look, float scale) const;
@@ -41,8 +52,9 @@ class Statistics {
     std::deque<Energies> energies_;
     Report report_;
     double largest_tension_ = 0;
+    std::vector<Plot> plots_;
     std::string scene_;
-    std::uint64_t sampled_ = 0;
+    std::uint64_t sampled_ = ~0ULL; ///< revision of the timeline at the last sample
     double since_ = 0;
 };
 

@@ -88,7 +88,7 @@ class Window {
         play_.theme = settings_.theme;
         play_.panel = settings_.panel;
         play_.free_running = settings_.free_running;
-        play_.hint = settings_.hint;
+        if (settings_.hint) play_.tour.begin();
         play_.recent = settings_.recent;
         play_.keys.chosen = settings_.keys;
         panel_.set_text_size(settings_.text_size);
@@ -113,7 +113,7 @@ class Window {
         settings_.panel = play_.panel;
         settings_.free_running = play_.free_running;
         settings_.text_size = panel_.text_size();
-        settings_.hint = settings_.hint && play_.hint;
+        settings_.hint = false;
         settings_.recent = play_.recent;
         settings_.keys = play_.keys.chosen;
         window::save_settings(settings_);

@@ -13,13 +13,17 @@ json::Array numbers(const Point& point) {
 class GrabTool final : public Tool {
     std::string_view name() const override { return "grab"; }
     std::string_view key() const override { return "a"; }
-    std::string_view about() const override { return "takes hold of what is nearest; let go to throw it"; }
+    std::string_view about() const override {
+        return "takes hold of what is nearest, and lets it fly; while time stands, carries a whole figure elsewhere";
+    }
 
     /// In other panes of a split view grabs the particles of the same names, at any position; without such names, the
     /// particles under the pointer.
     void press(Play& play) override {
         const auto picked = play.pick_here();
         play.select(picked);
+        placed_.clear();
+        last_ = play.pointer();
         holds_.assign(play.pane_count(), {});
         if (!picked) return;
         const auto& world = play.session().world();
@@ -44,6 +48,7 @@ class GrabTool final : public Tool {
     }
 
     void move(Play& play) override {
+        if (!placed_.empty() || begins_to_place(play)) return place(play);
         play.each_pane([&] {
             if (!is_held(play)) return;
             const auto& hold = holds_[play.active_pane()];
@@ -51,7 +56,33 @@ class GrabTool final : public Tool {
         });
     }
 
+    /// A drag while time stands: the hand lets go, and the figure is carried.
+    bool begins_to_place(Play& play) {
+        const auto* hand = play.session().hand();
+        if (!play.clock().paused() || !hand || !play.selected) return false;
+        const Part part{play.figure_name(*play.selected), false};
+        if (part.name.empty()) return false;
+        play.each_pane([&] {
+            if (is_held(play)) play.timeline().act(LetGo{});
+        });
+        holds_.assign(play.pane_count(), {});
+        placed_ = play.is_chosen(part) ? play.chosen : std::vector{part};
+        goes_on_ = false;
+        return true;
+    }
+
+    /// Carries the figure with the pointer. A whole drag is one edit.
+    void place(Play& play) {
+        const auto middle = middle_of(play.session().scene(), play.session().world(), placed_.front());
+        if (!middle) return;
+        const Reshape by{.shift = play.shift_of(*middle, play.pointer() - last_)};
+        last_ = play.pointer();
+        if (play.reshape(placed_, by, "move " + placed_.front().name, goes_on_)) goes_on_ = true;
+    }
+
     void release(Play& play) override {
+        if (goes_on_ && !placed_.empty()) play.tell("place", {{"figure", placed_.front().name}});
+        placed_.clear();
         const bool held = is_held(play);
         play.each_pane([&] {
             if (is_held(play)) play.timeline().act(LetGo{});
@@ -83,7 +114,10 @@ class GrabTool final : public Tool {
         double depth = 0;      ///< distance of the grabbed point from the camera
         Vec2<double> offset{}; ///< from the pointer to the grabbed point, pixels
     };
-    std::vector<Hold> holds_; ///< per pane
+    std::vector<Hold> holds_;  ///< per pane
+    std::vector<Part> placed_; ///< carried while time stands
+    Vec2<double> last_{};      ///< pointer of the last move, pixels
+    bool goes_on_ = false;     ///< the drag has become an edit
 };
 
 } // namespace

@@ -36,11 +36,11 @@ TEST(ForeignFiles, AModelIsRecordedThroughEverySizeOfThePicture) {
     EXPECT_EQ(folder.names().size(), 0U) << "nothing before it is complete";
     play.toggle_recording();
     EXPECT_EQ(listening.count("recorded"), 1U);
-    EXPECT_EQ(text_of(folder / "rope.glb").substr(0, 4), "glTF");
+    EXPECT_EQ(sinew::text_of(folder / "rope.glb").substr(0, 4), "glTF");
     play.screenshot(folder / "now.obj");
     play.draw(picture);
     EXPECT_EQ(play.problem(), "");
-    EXPECT_NE(text_of(folder / "now.obj").find("\nv "), std::string::npos);
+    EXPECT_NE(sinew::text_of(folder / "now.obj").find("\nv "), std::string::npos);
 }
 
 TEST(ForeignFiles, AnExportThatCannotBeWrittenIsTold) {

@@ -436,7 +436,7 @@ TEST(Touch, OneFingerIsThePointerAndTwoMoveAndScale) {
     touch.move(7, play.pointer() + Vec2<double>{{50, 0}});
     EXPECT_EQ(heard.count("grab"), 1U);
     touch.down(8, {{10, 10}});
-    EXPECT_EQ(heard.count("let_go"), 1U) << "the second finger takes the first's hold";
+    EXPECT_EQ(heard.count("place"), 1U) << "the second finger ends the first one's drag";
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST_F(SplitView, ShowsBothModesFromTheStartInLockstep) {
 }
 
 TEST_F(SplitView, ThePointerTakesTheSameParticleInBoth) {
-    run("size 1000x500\n0 key p\n0 move bob/right_hand over 0\n0.1 press\n0.2 move 100 100 over 0\n0.2 key p\n"
+    run("size 1000x500\n0 key p\n0 move bob/right_hand over 0\n0.1 press\n0.1 key p\n0.2 move 100 100 over 0\n"
         "1.5 end",
         play);
     EXPECT_EQ(play.active_pane(), 0U);
@@ -119,6 +119,33 @@ TEST_F(SplitView, APictureHasBothHalvesUnderTheirNames) {
     ASSERT_EQ(panes.size(), 2U);
     EXPECT_EQ(panes[0].width, 500);
     EXPECT_GE(picture.items.size(), panes[0].items.size() + panes[1].items.size() - 4) << "all that panes show";
+}
+
+// The scene with the pin has the other mode's particles, too; both halves show where it is held.
+TEST_F(SplitView, ShowsAPinThatWasPutByHandInBoth) {
+    play.toggle_split();
+    play.show_mode("physical");
+    ASSERT_EQ(play.pane_count(), 1U);
+    for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
+    play.tool = "pin";
+    play.handle(Moved{pixel_of(play, "bob/right_hand")});
+    play.handle(Pressed{});
+    play.handle(Released{});
+    ASSERT_EQ(play.session().scene().pins.size(), 1U);
+    play.toggle_split();
+    ASSERT_EQ(play.pane_count(), 2U) << play.problem();
+    for (const auto pins : each([&] { return play.session().scene().pins.size(); })) EXPECT_EQ(pins, 1U);
+    std::vector<Picture> pictures;
+    play.draw_panes(pictures);
+    const auto discs = [](const Picture& picture) {
+        return std::count_if(picture.items.begin(), picture.items.end(),
+                             [](const auto& item) { return item.shape == Shape::disc; });
+    };
+    const std::vector<std::ptrdiff_t> with = {discs(pictures[0]), discs(pictures[1])};
+    play.undo();
+    play.change([](Scene& scene) { scene.pins.clear(); }, "no pins");
+    play.draw_panes(pictures);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_GE(with[i], discs(pictures[i]) + 2) << "a pin is always to be seen";
 }
 
 } // namespace
