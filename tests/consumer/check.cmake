@@ -21,6 +21,16 @@ foreach(program IN ITEMS hello game hello_c)
     run(${work}/build/${program})
 endforeach()
 
+# A component that does not exist is named.
+file(WRITE ${work}/unknown/CMakeLists.txt
+    "cmake_minimum_required(VERSION 3.25)\nproject(unknown LANGUAGES CXX)\nfind_package(sinew REQUIRED COMPONENTS cpp)\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${work}/unknown -B ${work}/unknown/build -D CMAKE_PREFIX_PATH=${prefix}
+    -D CMAKE_CXX_COMPILER=${compiler} RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
+string(REGEX REPLACE "[ \n]+" " " said "${said}")
+if(code EQUAL 0 OR NOT said MATCHES "sinew has no component cpp: its components are")
+    message(FATAL_ERROR "find_package with an unknown component says: ${said}")
+endif()
+
 # The CMake lines of README.md, as pasted beside its program. Bash alone expands a tilde after "=".
 file(READ ${source}/README.md readme)
 if(readme MATCHES "=~/")
