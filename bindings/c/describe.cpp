@@ -5,6 +5,7 @@
 
 #include "bindings/c/player.h"
 #include "bindings/c/simulation.h"
+#include "player/joints.h"
 #include "player/tool.h"
 
 #include <algorithm>
@@ -54,6 +55,12 @@ json::Value tools() {
     return all;
 }
 
+json::Value joints() {
+    json::Array all;
+    for (const auto& joint : play::joints) all.push_back(json::Object{{"name", joint.name}, {"about", joint.about}});
+    return all;
+}
+
 json::Value actions() {
     json::Array all;
     for (const auto& action : play::key_actions())
@@ -67,7 +74,8 @@ struct Topic {
     json::Value (*describe)();
 };
 constexpr std::array topics = {Topic{"schema", schema},         Topic{"prefabs", prefabs}, Topic{"kinds", kinds},
-                               Topic{"overlays", all_overlays}, Topic{"tools", tools},     Topic{"actions", actions}};
+                               Topic{"overlays", all_overlays}, Topic{"tools", tools},     Topic{"joints", joints},
+                               Topic{"actions", actions}};
 
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "sinew/scene/text.h"
 #include "sinew/session/pick.h"
 
+#include "player/joints.h"
 #include "player/scene_edit.h"
 #include "player/tool.h"
 
@@ -48,6 +49,7 @@ void keep_settings(const play::Play& from, play::Play& to) {
     to.tool = from.tool;
     to.prefab = from.prefab;
     to.prefab_parameters = from.prefab_parameters;
+    to.joint = from.joint;
     to.theme = from.theme;
 }
 
@@ -115,6 +117,17 @@ template <class Work> sinew_status with(sinew_player handle, const Work& work) {
     } else {
         return work(*player);
     }
+}
+
+/// The same for input and time. No dialog of the host tells of a problem, behind which a player stands still: the
+/// message does.
+template <class Work> sinew_status go_on_with(sinew_player handle, const Work& work) {
+    return with(handle, [&](Player& known) {
+        work(known);
+        if (known.play->problem().empty()) return;
+        known.play->message = known.play->problem();
+        known.play->dismiss_problem();
+    });
 }
 
 sinew_status reported(play::Play& play) {
@@ -236,7 +249,7 @@ sinew_status sinew_player_resize(sinew_player player, uint32_t width, uint32_t h
 
 sinew_status sinew_player_advance(sinew_player player, double seconds) {
     if (!(seconds >= 0) || !std::isfinite(seconds)) return fail(SINEW_BAD_ARGUMENT, "time goes on");
-    return with(player, [&](Player& known) { known.play->advance(seconds); });
+    return go_on_with(player, [&](Player& known) { known.play->advance(seconds); });
 }
 
 sinew_status sinew_player_draw(sinew_player player, sinew_picture* picture) {
@@ -278,32 +291,32 @@ sinew_status sinew_player_picture_image(sinew_player player, uint32_t index, con
 
 sinew_status sinew_player_pointer(sinew_player player, double x, double y) {
     if (!std::isfinite(x) || !std::isfinite(y)) return fail(SINEW_BAD_ARGUMENT, "a position is not finite");
-    return with(player, [&](Player& known) { known.play->handle(play::Moved{{{x, y}}}); });
+    return go_on_with(player, [&](Player& known) { known.play->handle(play::Moved{{{x, y}}}); });
 }
 
 sinew_status sinew_player_leave(sinew_player player) {
-    return with(player, [](Player& known) { known.play->handle(play::Left{}); });
+    return go_on_with(player, [](Player& known) { known.play->handle(play::Left{}); });
 }
 
 sinew_status sinew_player_press(sinew_player player, sinew_button button) {
     if (int(button) < 0 || int(button) > 2) return fail(SINEW_BAD_ARGUMENT, "no such button");
-    return with(player, [&](Player& known) { known.play->handle(play::Pressed{play::Button(button)}); });
+    return go_on_with(player, [&](Player& known) { known.play->handle(play::Pressed{play::Button(button)}); });
 }
 
 sinew_status sinew_player_release(sinew_player player, sinew_button button) {
     if (int(button) < 0 || int(button) > 2) return fail(SINEW_BAD_ARGUMENT, "no such button");
-    return with(player, [&](Player& known) { known.play->handle(play::Released{play::Button(button)}); });
+    return go_on_with(player, [&](Player& known) { known.play->handle(play::Released{play::Button(button)}); });
 }
 
 sinew_status sinew_player_scroll(sinew_player player, double notches) {
     if (!std::isfinite(notches)) return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
-    return with(player, [&](Player& known) { known.play->handle(play::Scrolled{notches}); });
+    return go_on_with(player, [&](Player& known) { known.play->handle(play::Scrolled{notches}); });
 }
 
 sinew_status sinew_player_pinch(sinew_player player, double dx, double dy, double factor) {
     if (!std::isfinite(dx) || !std::isfinite(dy) || !(factor > 0))
         return fail(SINEW_BAD_ARGUMENT, "a gesture has finite numbers and a factor above 0");
-    return with(player, [&](Player& known) { known.play->handle(play::Pinched{{{dx, dy}}, factor}); });
+    return go_on_with(player, [&](Player& known) { known.play->handle(play::Pinched{{{dx, dy}}, factor}); });
 }
 
 sinew_status sinew_player_pan(sinew_player player, double dx, double dy) {
@@ -326,7 +339,7 @@ sinew_status sinew_player_zoom(sinew_player player, double factor) {
 sinew_status sinew_player_touch(sinew_player player, int64_t finger, uint32_t phase, double x, double y) {
     if (!std::isfinite(x) || !std::isfinite(y) || phase > 2)
         return fail(SINEW_BAD_ARGUMENT, "a finger comes down (0), moves (1) or is lifted (2) at a position");
-    return with(player, [&](Player& known) {
+    return go_on_with(player, [&](Player& known) {
         const Vec2<double> at{{x, y}};
         if (phase == 0) known.touch->down(finger, at);
         if (phase == 1) known.touch->move(finger, at);
@@ -336,7 +349,7 @@ sinew_status sinew_player_touch(sinew_player player, int64_t finger, uint32_t ph
 
 sinew_status sinew_player_key(sinew_player player, const char* name, uint32_t is_down) {
     if (!name) return null_argument();
-    return with(player, [&](Player& known) {
+    return go_on_with(player, [&](Player& known) {
         auto& play = *known.play;
         if (!is_down) return play.handle(play::KeyUp{name});
         if (play.steer(name, true)) return;
@@ -398,6 +411,16 @@ sinew_status sinew_player_prefab(sinew_player player, const char* prefab, const 
         if (const auto status = keep_diagnostics(document.diagnostics)) return status;
         known.play->prefab = prefab;
         known.play->prefab_parameters = given ? std::move(*given) : json::Object{};
+        return SINEW_OK;
+    });
+}
+
+sinew_status sinew_player_joint(sinew_player player, const char* joint) {
+    if (!joint) return null_argument();
+    return with(player, [&](Player& known) {
+        if (std::ranges::find(play::joints, joint, &play::Joint::name) == play::joints.end())
+            return fail(SINEW_BAD_ARGUMENT, concat("no joint is called ", in_quotes(joint)));
+        known.play->joint = joint;
         return SINEW_OK;
     });
 }

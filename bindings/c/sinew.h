@@ -141,7 +141,7 @@ SINEW_API sinew_status sinew_world_load(const uint8_t* bytes, size_t size, const
                                         sinew_world* world);
 
 /* JSON text about the engine. `topic`: "schema" (JSON Schema of a scene), "prefabs" (name, about, parameters),
- * "kinds" (of constraints, in 2D and 3D), "overlays", "tools", "actions" (of a player, with their keys). */
+ * "kinds" (of constraints, in 2D and 3D), "overlays", "tools", "joints", "actions" (of a player, with their keys). */
 SINEW_API sinew_status sinew_describe(const char* topic, const char** json);
 
 /* Memory for texts and arrays, which the page writes into a module. */
@@ -577,11 +577,12 @@ SINEW_API sinew_status sinew_player_orbit(sinew_player player, double dx, double
 SINEW_API sinew_status sinew_player_zoom(sinew_player player, double factor);
 /* Fingers on a screen: one is the pointer with its left button, two pan and zoom. `phase` 0: down, 1: moved, 2: up. */
 SINEW_API sinew_status sinew_player_touch(sinew_player player, int64_t finger, uint32_t phase, double x, double y);
-/* A key of the window: "p", "[", "escape", "ctrl+z". `is_down` 0: released. */
+/* A key of the window: "p", "[", "escape", "ctrl+z", "shift". `is_down` 0: released. */
 SINEW_API sinew_status sinew_player_key(sinew_player player, const char* name, uint32_t is_down);
 
 /* An action by its name in sinew_describe("actions"): "pause", "step", "back", "restart", "undo", "redo", "gravity",
- * "wind", "mode", "split", "theme", "see_all", "projection", "slower", "faster". */
+ * "wind", "mode", "split", "theme", "see_all", "projection", "slower", "faster", "follow", "choose_all",
+ * "duplicate". */
 SINEW_API sinew_status sinew_player_do(sinew_player player, const char* action);
 SINEW_API sinew_status sinew_player_pause(sinew_player player, uint32_t on);
 /* Simulated seconds per real second, 0.01 to 8. */
@@ -593,6 +594,8 @@ SINEW_API sinew_status sinew_player_set(sinew_player player, const char* path, c
 SINEW_API sinew_status sinew_player_tool(sinew_player player, const char* name);
 /* Prefab of the tool "spawn", with its parameters as a JSON object (null: none). */
 SINEW_API sinew_status sinew_player_prefab(sinew_player player, const char* prefab, const char* parameters);
+/* Joint of the tool "join": a name in sinew_describe("joints"). */
+SINEW_API sinew_status sinew_player_joint(sinew_player player, const char* joint);
 SINEW_API sinew_status sinew_player_overlays(sinew_player player, uint32_t overlays);
 /* "light" or "dark"; empty: the scene's own. */
 SINEW_API sinew_status sinew_player_theme(sinew_player player, const char* theme);

@@ -11,12 +11,16 @@ const arc = (x: number, y: number, r: number, from: number, to: number): string 
 
 const drawings: Record<string, string> = {
     grab: fill("M-.75-.95 .75 .1 .05 .2-.75 .85z") + stroke("M0 .1 .5 .95"),
+    select: stroke("M-.9-.45V-.9H-.45M.45-.9H.9V-.45M.9 .45V.9H.45M-.45 .9H-.9V.45") + dot(0, 0, 0.4),
     pin: dot(0, -0.45, 0.5) + stroke("M0 0V.95"),
     cut: ring(-0.55, 0.6, 0.32) + ring(0.55, 0.6, 0.32) + stroke("M-.35 .32 .5-.95M.35 .32-.5-.95"),
+    join: ring(-0.6, 0.6, 0.32) + ring(0.6, -0.6, 0.32) + stroke("M-.36 .36 .36-.36"),
     rope: stroke("M-.95 .7C-.2-1.7 .2 1.7 .95-.7"),
     polygon: stroke("M-.15-.9 .9-.35 .6 .8-.55 .75-.95-.2z"),
     cloth: stroke("M-.85-.85H.85V.85H-.85zM-.28-.85V.85M.28-.85V.85M-.85-.28H.85M-.85 .28H.85"),
     spawn: stroke("M0-.85V.85M-.85 0H.85"),
+    wall: fill("M-.95 .45-.75 .85 .95-.45 .75-.85z"),
+    terrain: stroke("M-.95 .3C-.4-1.3 .1 1.2 .95-.4M-.95 .85H.95"),
     remove: stroke("M-.9-.6H.9M-.3-.9H.3M-.65-.55-.5 .9H.5L.65-.55"),
     measure: stroke("M-.95 .55 .55-.95 .95-.55-.55 .95zM-.35-.05-.1 .2M.1-.5 .35-.25"),
     undo: arc(0.1, 0.25, 0.62, -2.6, 1.2) + fill("M-.95-.05-.5-.75-.05-.05z"),

@@ -163,6 +163,8 @@ export class App {
             changed,
             textChanged: () => this.changed(),
         });
+        // With shift, the tool select chooses more.
+        stage.canvas.addEventListener("pointerdown", (event) => stage.player.key("shift", event.shiftKey), { capture: true });
         stage.onframe = () => this.afterFrame();
     }
 

@@ -1,4 +1,4 @@
-import { announce } from "../common/dom.js";
+import { announce, byId } from "../common/dom.js";
 import type { App } from "./app.js";
 
 const renamed: Record<string, string> = { " ": "space", ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down", Escape: "escape", Delete: "delete", Backspace: "delete", Home: "home" };
@@ -33,17 +33,21 @@ export function connectKeys(app: App, help: HTMLDialogElement): void {
         const tool = tools.get(name);
         const overlay = /^[1-9]$/.test(name) ? overlays[Number(name) - 1] : undefined;
         if (own[name]) own[name]!();
-        else if (tool) player.setTool(tool);
+        else if (tool && name !== "delete") player.setTool(tool);
         else if (overlay) player.setOverlays(toggled(player.state().overlays, overlay));
-        else if (name === "space" && event.target !== document.getElementById("stage")) return;
         else if (name === "escape" && document.body.classList.contains("drawer")) app.openPanel(false);
-        else if (name === "space" || ofPlayer.has(name) && !["ctrl+c", "ctrl+v", "ctrl+n", "ctrl+shift+s", "tab", "escape", "f2"].includes(name)) player.key(name);
+        else if (name === "delete" || ofPlayer.has(name) && !["ctrl+c", "ctrl+v", "ctrl+n", "ctrl+shift+s", "tab", "escape", "f2"].includes(name)) player.key(name);
         else return;
         event.preventDefault();
         app.changed();
     });
     addEventListener("keyup", (event) => {
-        if (event.key === " " && document.body.classList.contains("playing")) app.stage?.player.key("space", false);
+        if (document.body.classList.contains("playing")) app.stage?.player.key(nameOf(event), false);
+    });
+    // After a press of the mouse or a finger, space pauses, and does not press the same button again.
+    addEventListener("click", ({ target, detail }) => {
+        const isOfBars = target instanceof Element && target.closest("#tools button, #time button, #side :is(.chips, .deeds, .segments) button");
+        if (isOfBars && detail > 0) byId("stage").focus({ preventScroll: true });
     });
     addEventListener("error", (event) => announce(event.message));
     addEventListener("unhandledrejection", (event) => announce(String(event.reason)));

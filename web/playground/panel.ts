@@ -30,6 +30,8 @@ export class Panel {
     private readonly heads = {} as Record<Tab, HTMLButtonElement>;
     private readonly form: ParameterForm;
     private readonly prefab = el("div", { class: "prefab", hidden: true });
+    private readonly joint: HTMLElement;
+    private readonly chosen: HTMLElement;
     private readonly overlays = new Map<string, HTMLButtonElement>();
     private readonly facts = el("dl", { class: "facts" });
     private readonly graphs = new Graphs();
@@ -46,7 +48,9 @@ export class Panel {
             { value: "dark", word: "dark", tip: "light on dark" }], (value) => (setTheme(value === "dark" ? "dark" : "light"), actions.themeChanged()));
         this.form = new ParameterForm((path, value, goesOn) => this.setParameter(path, value, goesOn), () => actions.changed());
         this.text = new TextTab(engine, stage, actions.textChanged);
-        this.pages.parameters = el("div", {}, this.prefab, this.overlayChips(), this.form.root);
+        this.joint = this.jointChoice();
+        this.chosen = this.chosenDeeds();
+        this.pages.parameters = el("div", {}, this.prefab, this.joint, this.chosen, this.overlayChips(), this.form.root);
         this.pages.text = this.text.root;
         this.pages.statistics = el("div", { tabindex: 0 }, this.facts, this.graphs.energy.root, this.graphs.stretch.root);
         this.root.append(
@@ -140,6 +144,8 @@ export class Panel {
         this.look.choose(theme());
         for (const [name, chip] of this.overlays) chip.setAttribute("aria-pressed", String(state.overlays.includes(name)));
         this.prefab.hidden = state.tool !== "spawn";
+        this.joint.hidden = state.tool !== "join";
+        this.chosen.hidden = state.tool !== "select";
         if (state.tool === "spawn" && !this.prefab.hasChildNodes()) this.fillPrefab();
     }
 
@@ -160,6 +166,30 @@ export class Panel {
         };
         this.prefab.append(el("label", { for: "prefab" }, "prefab "), list, about);
         choose();
+    }
+
+    /** Choice of the joint that the tool join makes. */
+    private jointChoice(): HTMLElement {
+        const about = el("small", { class: "faint" });
+        const all = this.engine.joints();
+        const choose = (name: string): void => {
+            this.stage.player.setJoint(name);
+            kinds.choose(name);
+            about.textContent = all.find((joint) => joint.name === name)?.about ?? "";
+        };
+        const kinds = segments("Joint", all.map(({ name, about: tip }) => ({ value: name, word: name, tip })), choose);
+        choose(all[0]!.name);
+        return el("div", { class: "prefab joint", hidden: true }, kinds.root, about);
+    }
+
+    /** Deeds with the figures that the tool select has chosen. */
+    private chosenDeeds(): HTMLElement {
+        const { actions, stage } = this;
+        const deed = (word: string, tip: string, act: () => void): HTMLElement => el("button", { type: "button", title: tip, onclick: () => (act(), actions.changed()) }, word);
+        return el("div", { class: "deeds", role: "group", "aria-label": "Chosen figures", hidden: true },
+            deed("choose all", "every figure and obstacle  (ctrl+a)", () => stage.player.do("choose_all")),
+            deed("copy", "copies lie beside what is chosen  (ctrl+d)", () => stage.player.do("duplicate")),
+            deed("delete", "what is chosen  (delete)", () => stage.player.key("delete")));
     }
 
     /** Called each frame. */

@@ -90,6 +90,7 @@ export class Engine {
     prefabs() { return this.describe("prefabs"); }
     overlays() { return this.describe("overlays"); }
     tools() { return this.describe("tools"); }
+    joints() { return this.describe("joints"); }
     actions() { return this.describe("actions"); }
     kinds(dimension) { return this.describe("kinds")[dimension]; }
 

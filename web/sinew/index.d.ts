@@ -220,6 +220,8 @@ export interface Engine {
     prefabs(): { name: string; about: string; parameters: SceneParameter[] }[];
     overlays(): { name: string; about: string }[];
     tools(): { name: string; key: string; about: string }[];
+    /** Joints of the tool "join". */
+    joints(): { name: string; about: string }[];
     actions(): { name: string; key: string; about: string }[];
     /** Kinds of constraints of a dimension, in the order of their numbers. */
     kinds(dimension: 2 | 3): { name: string; particles: number }[];
@@ -582,7 +584,7 @@ export interface Player {
     wheel(notches: number): void;
     pinch(dx: number, dy: number, factor: number): void;
     touch(finger: number, phase: "down" | "move" | "up", x: number, y: number): void;
-    /** A key of the window: "p", "[", "escape", "ctrl+z". */
+    /** A key of the window: "p", "[", "escape", "ctrl+z", "shift". */
     key(name: string, isDown?: boolean): void;
 
     pan(dx: number, dy: number): void;
@@ -602,6 +604,8 @@ export interface Player {
     setTool(name: string): void;
     /** Prefab of the tool "spawn". */
     setPrefab(name: string, parameters?: object): void;
+    /** Joint of the tool "join": a name in engine.joints(). */
+    setJoint(name: string): void;
     setOverlays(overlays: string[] | number): void;
     /** "light", "dark", or "" for the scene's own. */
     setTheme(theme: string): void;

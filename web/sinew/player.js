@@ -74,6 +74,7 @@ export class Player extends Handle {
     setTimeScale(scale) { this.call("sinew_player_time_scale", scale); }
     setTool(name) { this.say("sinew_player_tool", [name]); }
     setPrefab(name, parameters = {}) { this.say("sinew_player_prefab", [name, JSON.stringify(parameters)]); }
+    setJoint(name) { this.say("sinew_player_joint", [name]); }
     setOverlays(overlays) { this.call("sinew_player_overlays", this.engine.overlayBits(overlays)); }
     setTheme(theme) { this.say("sinew_player_theme", [theme]); }
 

@@ -82,6 +82,7 @@ test("descriptions are complete", () => {
     assert.ok(engine.prefabs().some(({ name, parameters }) => name === "rope" && parameters.some((one) => one.path === "length" && one.low >= 0)));
     assert.deepEqual(engine.overlays().map(({ name }) => name), ["strain", "tension", "pins", "names", "forces", "contacts"]);
     assert.ok(engine.tools().some(({ name, key }) => name === "cut" && key === "x"));
+    assert.deepEqual(engine.joints().map(({ name }) => name), ["hinge", "spring", "weld", "motor", "winch"]);
     assert.ok(engine.actions().some(({ name }) => name === "undo"));
     assert.ok(!engine.actions().some(({ name }) => name === "save"));
     assert.equal(engine.kinds(2)[0].name, "distance");

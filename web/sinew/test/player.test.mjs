@@ -92,6 +92,31 @@ test("spawned figures are part of the scene", () => {
     assert.match(player.sceneText(), /"box"/);
 });
 
+test("a tool that fails says so, and time goes on", () => {
+    const player = playing();
+    player.setTool("spawn");
+    player.setPrefab("box", { width: -1 });
+    player.pointerMove(100, 100);
+    player.pointerDown();
+    player.pointerUp();
+    assert.match(player.state().message, /width/);
+    const { step } = player.state();
+    player.advance(0.05);
+    assert.ok(player.state().step > step);
+});
+
+test("a joint is of the kind that was set", () => {
+    const player = playing();
+    player.setTool("join");
+    assert.throws(() => player.setJoint("glue"), SinewError);
+    player.setJoint("spring");
+    player.pointerMove(...pixelOf(player, "pendulum/bob"));
+    player.pointerDown();
+    player.pointerMove(40, 40);
+    player.pointerUp();
+    assert.match(player.sceneText(), /"spring"/);
+});
+
 test("both modes run side by side, each as if alone", () => {
     const player = playing(ragdoll.text, ragdoll);
     player.do("split");

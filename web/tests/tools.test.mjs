@@ -1,0 +1,132 @@
+// The tools that build, as a hand uses them on the page: select, join, walls and ground; space is pause.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { desktop, phone, pixelOf, playing, visit } from "./browser.mjs";
+
+let site;
+before(async () => (site = await visit()));
+after(() => site.end());
+
+const two = {
+    sinew: 1, view: { center: [0, 1], height: 4 }, world: { gravity: [0, -9.81], bounds: { planes: [{ normal: [0, 1] }] } },
+    figures: [{ prefab: "box", name: "left", at: [-1, 1], width: 0.4, height: 0.4 }, { prefab: "box", name: "right", at: [1, 1], width: 0.4, height: 0.4 }],
+};
+const state = (page) => page.evaluate(() => window.sinew.stage.player.state());
+const scene = (page) => page.evaluate(() => JSON.parse(window.sinew.stage.player.sceneText()));
+const tool = (page, name) => page.getByRole("radio", { name: new RegExp(`^${name} `) }).click();
+
+/** The two boxes of the scene, at rest. */
+async function begin(page) {
+    await page.waitForFunction(() => window.sinew?.openText);
+    await page.evaluate((text) => window.sinew.openText(text, "two"), JSON.stringify(two));
+    await playing(page);
+    await page.evaluate(() => (window.sinew.stage.player.restart(), window.sinew.stage.player.pause()));
+}
+
+async function middleOf(page, name) {
+    const [[ax, ay], [bx, by]] = [await pixelOf(page, `${name}/top_left`), await pixelOf(page, `${name}/bottom_right`)];
+    return [(ax + bx) / 2, (ay + by) / 2];
+}
+
+async function drag(page, [fromX, fromY], [toX, toY]) {
+    await page.mouse.move(fromX, fromY);
+    await page.mouse.down();
+    await page.mouse.move(toX, toY, { steps: 6 });
+    await page.mouse.up();
+}
+
+test("every tool has an icon of its own", () =>
+    site.on(desktop, "#scene=rope", async (page) => {
+        await playing(page);
+        const icons = await page.locator("#tools .icon").evaluateAll((all) => all.map((svg) => svg.innerHTML));
+        assert.equal(new Set(icons).size, icons.length);
+        for (const button of await page.locator("#tools button").all()) {
+            const { y, height } = await button.boundingBox();
+            assert.ok(y + height <= desktop.viewport.height, `${await button.getAttribute("title")} ends at ${y + height}`);
+        }
+    }));
+
+test("select chooses with shift, carries, copies and deletes", () =>
+    site.on(desktop, "", async (page) => {
+        await begin(page);
+        await tool(page, "select");
+        const left = await middleOf(page, "left"), right = await middleOf(page, "right");
+        await page.mouse.click(...left);
+        await page.keyboard.down("Shift");
+        await page.mouse.click(...right);
+        await page.keyboard.up("Shift");
+        await drag(page, right, [right[0], right[1] - 90]);
+        for (const [name, [x, y]] of [["left", left], ["right", right]]) {
+            const [nx, ny] = await middleOf(page, name);
+            assert.ok(Math.abs(nx - x) < 2 && Math.abs(ny - y + 90) < 2, `${name} at ${nx}, ${ny}`);
+        }
+        await page.keyboard.press("Control+d");
+        assert.deepEqual((await scene(page)).figures.map(({ name }) => name), ["left", "right", "left_2", "right_2"]);
+        await page.keyboard.press("Delete");
+        assert.equal((await scene(page)).figures.length, 2);
+        await page.getByRole("button", { name: "choose all" }).click();
+        await page.getByRole("button", { name: "copy", exact: true }).click();
+        assert.equal((await scene(page)).figures.length, 4);
+        await page.getByRole("button", { name: "delete", exact: true }).click();
+        assert.equal((await scene(page)).figures.length, 2);
+        assert.equal((await state(page)).tool, "select", "the tool stays");
+    }));
+
+test("walls and ground are drawn", () =>
+    site.on(desktop, "", async (page) => {
+        await begin(page);
+        const [x, y] = await middleOf(page, "left");
+        await tool(page, "wall");
+        await drag(page, [x - 60, y + 90], [x + 90, y + 60]);
+        await tool(page, "terrain");
+        await drag(page, [x + 150, y + 90], [x + 300, y + 60]);
+        assert.deepEqual((await scene(page)).colliders.map(({ shape }) => shape), ["capsule", "chain"]);
+        await page.keyboard.press("Control+z");
+        assert.equal((await scene(page)).colliders.length, 1);
+    }));
+
+test("a joint is of the kind that the panel says", () =>
+    site.on(desktop, "", async (page) => {
+        await begin(page);
+        await tool(page, "join");
+        await page.getByRole("radio", { name: /^spring/ }).click();
+        await drag(page, await pixelOf(page, "left/top_right"), await pixelOf(page, "right/top_left"));
+        const { figures } = await scene(page);
+        assert.equal(figures.length, 3);
+        assert.ok(figures[2].constraints[0].compliance > 0, JSON.stringify(figures[2]));
+    }));
+
+test("a finger carries what it takes, and draws a frame around more", { timeout: 60_000 }, () =>
+    site.on(phone, "", async (page) => {
+        await begin(page);
+        await page.getByRole("radio", { name: /^select/ }).tap();
+        const client = await page.context().newCDPSession(page);
+        const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+        const box = await page.locator("#stage").boundingBox();
+        const before = (await scene(page)).figures.map(({ at }) => at);
+        await touch("touchStart", [box.x + 3, box.y + 3]);
+        await touch("touchMove", [box.x + box.width - 3, box.y + box.height - 3]);
+        await touch("touchEnd");
+        const [x, y] = await middleOf(page, "left");
+        await touch("touchStart", [x, y]);
+        await touch("touchMove", [x, y - 40]);
+        await touch("touchEnd");
+        for (const [i, { at }] of (await scene(page)).figures.entries()) assert.ok(at[1] > before[i][1] + 0.1, `figure ${i}: ${at}`);
+    }));
+
+test("space is pause, after a press of any button too", () =>
+    site.on(desktop, "#scene=rope", async (page) => {
+        await playing(page);
+        await page.keyboard.press("Space");
+        assert.ok((await state(page)).isPaused, "without a focus");
+        await page.getByRole("radio", { name: /^pin/ }).click();
+        await page.keyboard.press("Space");
+        assert.ok(!(await state(page)).isPaused, "after a tool");
+        await page.getByRole("button", { name: "strain" }).click();
+        await page.keyboard.press("Space");
+        assert.ok((await state(page)).isPaused, "after an overlay");
+        assert.deepEqual((await state(page)).overlays, ["strain"]);
+        await page.getByRole("button", { name: /^undo/ }).focus();
+        await page.keyboard.press("Space");
+        assert.ok((await state(page)).isPaused, "a button with the focus of keys is pressed by space");
+    }));
