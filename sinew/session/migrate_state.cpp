@@ -87,10 +87,23 @@ template <class WorldT> class Transplant {
             IdList<ParticleId> follow;
             for (const auto id : piece.particles) {
                 const auto row = row_of(old_, id);
-                follow.push_back(row ? becomes[*row] : ParticleId{});
+                const auto own = row ? becomes[*row] : ParticleId{};
+                follow.push_back(row && own == ParticleId{} ? counterpart(id, *row) : own);
             }
             piece.particles = std::move(follow);
         }
+    }
+
+    /// The same particle of another figure, to which a joint is drawn; none where that figure has other particles.
+    ParticleId counterpart(ParticleId id, Row row) const {
+        const auto number = old_.particles.figure[row];
+        if (number >= old_.figures.size()) return {};
+        const auto& before = old_.figures[number];
+        const auto known = find_figure(fresh_, before.name);
+        if (!known || fresh_.figures[*known].particles.size() != before.particles.size()) return {};
+        for (std::size_t i = 0; i < before.particles.size(); ++i)
+            if (before.particles[i] == id) return fresh_.figures[*known].particles[i];
+        return {};
     }
 };
 

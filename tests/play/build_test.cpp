@@ -1,3 +1,5 @@
+#include "sinew/world/edit.h"
+
 #include "player/joints.h"
 #include "player/quantity.h"
 #include "player/scene_edit.h"
@@ -111,6 +113,27 @@ TEST_F(Building, AWeldKeepsBothAsOneBody) {
     run(0.6);
     const auto a = middle("a"), b = middle("b");
     EXPECT_NEAR(std::hypot(a[0] - b[0], a[1] - b[1]), std::fabs(before), 0.01);
+}
+
+// Joints are drawn between particles of other figures.
+TEST_F(Building, AJointIsDrawnAfterTheNextEditToo) {
+    play.tool = "join";
+    play.joint = "spring";
+    drag(pixel_of(play, "b/top_left"), pixel_of(play, "a/ball"));
+    play.tool = "wall";
+    drag({{100, 500}}, {{700, 500}});
+    ASSERT_EQ(play.session().scene().colliders.size(), 1u) << play.problem();
+    const auto found = std::visit(
+        [](const auto& world) {
+            const auto& joint = world.figures.back();
+            EXPECT_EQ(joint.name, "spring");
+            std::size_t drawn = 0;
+            for (const auto& piece : joint.pieces)
+                for (const auto id : piece.particles) drawn += row_of(world, id) ? 1 : 0;
+            return drawn;
+        },
+        play.session().world());
+    EXPECT_EQ(found, 2u) << "both ends of its line";
 }
 
 TEST_F(Building, AWinchWindsItsRopeUp) {
