@@ -112,10 +112,15 @@ class JointMaker {
     }
     bool is_in_space() const { return scene().dimension == 3 && length(0, 0) == 0; }
 
+    /// Links of each with each; the one between the ends is drawn.
     void weld() {
         for (std::size_t i = 0; i < a_.names.size(); ++i)
-            for (std::size_t k = 0; k < b_.names.size(); ++k)
-                if (length(i, k) > 0) link(i, k, "weld").push_back({"rest", length(i, k)});
+            for (std::size_t k = 0; k < b_.names.size(); ++k) {
+                if (length(i, k) == 0) continue;
+                auto& weld = link(i, k, "weld");
+                weld.push_back({"rest", length(i, k)});
+                if (i + k > 0) weld.push_back({"hidden", true});
+            }
         if (length(0, 0) == 0) link(0, 0, "weld").push_back({"rest", 0.0});
     }
 
