@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array actions = {
     KeyAction{"pause", "space", "pause, and go on", [](Play& play) { play.pause(!play.clock().paused()); }},
-    KeyAction{"hold", "p", "the same, also where space makes somebody jump",
+    KeyAction{"hold", "p", "pause, also where space makes somebody jump",
               [](Play& play) { play.pause(!play.clock().paused()); }},
     KeyAction{"step", "o", "one step", [](Play& play) { play.step(); }},
     KeyAction{"back", "b", "one step back", [](Play& play) { play.step_back(); }},
