@@ -57,7 +57,9 @@ bool Panel::take_key(const std::string& key) {
 }
 
 void Panel::show() {
-    if (std::exchange(close_menus_, false)) ImGui::ClosePopupToLevel(0, true);
+    // ImGui may have closed the popup since the key was pressed.
+    if (std::exchange(close_menus_, false) && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
+        ImGui::ClosePopupToLevel(0, true);
     statistics_.sample(play_);
     if (layout_.bars) {
         menu();
