@@ -21,7 +21,9 @@ template <int D, class Real> void Rope::build(Builder<D, Real>& figure) const {
                                      .mass = mass,
                                      .weight = weight,
                                      .radius = thickness / 2});
-    const auto limits = links == "exact" ? exactly(piece) : at_most(piece);
+    // A piece that shortened would lose the direction that bends need: a stiff rope goes slack by bending alone.
+    const bool is_stiff = bend_stiffness > 0 && figure.mode() == Mode::physical;
+    const auto limits = links == "exact" || is_stiff ? exactly(piece) : at_most(piece);
     link(figure, row, strength.applied_to(elasticity.spec(limits)));
     if (bend_stiffness > 0 && segments > 1)
         stiffen(figure, row, Elasticity::of_rod(piece, bend_stiffness).spec(exactly(0.0)));

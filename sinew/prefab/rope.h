@@ -57,7 +57,8 @@ struct Rope {
                                  .low = 0,
                                  .high = heaviest});
         visit(self.links, Field{.name = "links",
-                                .help = "Type of the links. at_most: can go slack; exact: can also push, like a rod",
+                                .help = "Type of the links. at_most: can go slack; exact: can also push, like a rod, "
+                                        "as links of a physical rope with bend_stiffness always do",
                                 .choices = link_rules});
         Elasticity::fields(self.elasticity, visit, "Compliance of a piece; 0 is inextensible");
         visit(self.bend_stiffness, Field{.name = "bend_stiffness",
