@@ -263,19 +263,18 @@ TEST(Block, LettingGoAddsNoEnergy) {
 }
 
 // Springs between links that can go slack: a heap of them folds flat in any way, and still falls and comes to rest.
-TEST(Block, AHeapOfStiffRopeComesToRest) {
+TEST(Block, AHeapOfSlackSpringsComesToRest) {
     for (const double stiffness : {0.01, 0.1, 1.0}) {
         test::Stepped<2, double> world;
         fall(world, gravity);
         world.bounds.push_back({{{0, 1}}, 0, 0, 0.4});
-        build(world,
-              Rope{.length = 2,
-                   .segments = sanitized ? 10 : 20,
-                   .angle = pi<double> * 0.97,
-                   .pinned = "none",
-                   .mass = 1,
-                   .bend_stiffness = stiffness},
+        const int segments = sanitized ? 10 : 20;
+        build(world, Rope{.length = 2, .segments = segments, .angle = pi<double> * 0.97, .pinned = "none", .mass = 1},
               "rope", {.at = {{0, 0.2}}});
+        const auto ids = world.figures[0].particles;
+        const double compliance = 2.0 / segments / stiffness;
+        for (std::size_t i = 2; i < ids.size(); ++i)
+            add<Angle>(world, {ids[i - 2], ids[i - 1], ids[i]}, {.limits = exactly(0.0), .compliance = compliance});
         run(world, sanitized ? 1 : 2);
         double highest = 0, fastest = 0;
         for (const auto& position : world.particles.position) highest = max(highest, position[1]);
