@@ -134,7 +134,9 @@ class Play {
     void ask_to_quit();
 
     /// True while a dialog, a page or a problem is in front: nothing moves, and no key acts.
-    bool has_dialog() const { return question || path_request || settings || help || !problem_.empty(); }
+    bool has_dialog() const { return question || path_request || settings || help || shows_problem(); }
+    bool shows_problem() const { return shows_problems && !problem_.empty(); }
+    bool shows_problems = true; ///< the host holds a problem up until it is dismissed; without, everything goes on
     std::optional<Question> question;
     std::optional<PathRequest> path_request;
     void answer(std::size_t number);

@@ -142,6 +142,7 @@ class PlayCommand final : public Command {
         canvas::catch_interrupts();
         Play game(library(), scene, words.overrides);
         if (!game.ready()) throw CommandError{bad_input, game.problem()};
+        game.shows_problems = !script; // a script fails in the end
         if (as_json) game.listener = [&](const play::Told& told) { print_told(game, told); };
         return script ? play_script(*script, game) : play_window(game);
     }

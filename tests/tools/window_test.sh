@@ -58,12 +58,17 @@ open_window() {
 cd "$folder"
 open_window rope.json
 
+# Escape ends the tour of a first start.
+key Escape; sleep 0.3
+
 # The scene lies between the tools (56) and the panel (340), between the menu (28) and the bar (64); its middle is the
 # middle of the view.
 middle_x=$((X + 56 + (WIDTH - 396) / 2)) middle_y=$((Y + 28 + (HEIGHT - 92) / 2))
 
-# The first press in the scene after a tool was chosen with the pointer is the tool's.
-xdotool mousemove $((X + 28)) $((Y + 28 + 10 + 8 * 44 + 20)); sleep 0.4
+# The first press in the scene after a tool was chosen with the pointer is the tool's; the measure is the 13th of 15
+# buttons in a column as high as the window allows.
+button=$(((HEIGHT - 92 - 26) / 15))
+xdotool mousemove $((X + 28)) $((Y + 28 + 10 + 12 * button + button / 2)); sleep 0.4
 xdotool mousedown 1; sleep 0.1; xdotool mouseup 1; sleep 0.3
 xdotool mousemove $((middle_x - 100)) $middle_y mousedown 1; sleep 0.1
 xdotool mousemove $middle_x $middle_y; sleep 0.1; xdotool mouseup 1; until_said '"what": "measure"'
@@ -123,9 +128,10 @@ xdotool mousemove $((X + WIDTH - 170)) $((Y + 182)) click 1; sleep 0.4; key x; s
 xdotool mousemove $middle_x $middle_y; sleep 0.2
 key p; until_said '"what": "pause"' 3; key p; until_said '"what": "resume"' 3
 
-# A file that is written again is read again; a wrong one leaves what runs.
+# A file that is written again is read again; a wrong one leaves what runs, behind a message that Return closes.
 sleep 1; sed -i 's/"length": 3/"length": 2.5/' rope.json; until_said '"what": "reloaded"'
 sleep 1; echo '{' >rope.json; until_said '"what": "problem"'
+sleep 0.3; key Return; sleep 0.3
 
 # Any size.
 for size in "1600 1000" "500 300" "40 40" "1280 720"; do xdotool windowsize "$window" $size; sleep 0.2; done
