@@ -70,7 +70,7 @@ template <int D, class Real> class WallGuard {
             const auto& point = contact.surface.point;
             const auto& normal = contact.surface.normal;
             const Real lacking = kept - dot(normal, begun + state_.displacement_at(slot) - point);
-            // Of a surface of several parts, a part behind another one is far beyond the way.
+            // A part behind another one, on a surface of several, is far beyond the way.
             const Real most = norm(ended - begun - contact.surface_displacement) + kept;
             auto rub = surface_between(world_, row, collider);
             if (!(lacking > Real(0)) || lacking > most ||
