@@ -747,7 +747,8 @@ typedef struct sinew_debug_draw {
     void (*polygon)(void* context, const sinew_point* corners, size_t count, uint32_t color);
 } sinew_debug_draw;
 /* Calls back for everything in the world, in the scene's units. Half-spaces are lines as long as `extent` to each side;
- * meshes and height fields are left out. */
+ * meshes and height fields are left out. A callback may change the world, or close it: what is drawn is listed before.
+ */
 SINEW_PROGRAM_API sinew_status sinew_world_draw_debug(sinew_world world, const sinew_debug_draw* draw, double extent);
 
 /* --- export: files of other programs, as bytes ------------------------------------------------------------------- */

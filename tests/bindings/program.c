@@ -195,6 +195,29 @@ static void everything_is_drawn(void) {
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
+struct closing {
+    sinew_world world;
+    int shapes;
+};
+static void close_within_a_segment(void* context, sinew_point from, sinew_point to, double radius, uint32_t color) {
+    struct closing* closing = context;
+    (void)from, (void)to, (void)radius, (void)color;
+    CHECK(sinew_world_close(closing->world) == (closing->shapes++ == 0 ? SINEW_OK : SINEW_BAD_HANDLE));
+}
+static void close_within_a_sphere(void* context, sinew_point center, double radius, uint32_t color) {
+    close_within_a_segment(context, center, center, radius, color);
+}
+static void drawing_may_close_the_world(void) {
+    struct closing closing = {created(), 0};
+    const sinew_debug_draw draw = {.struct_size = sizeof draw,
+                                   .context = &closing,
+                                   .segment = close_within_a_segment,
+                                   .sphere = close_within_a_sphere};
+    const sinew_parameter parameters[] = {{"segments", 8, NULL}};
+    CHECK(add_rope(closing.world, NULL, parameters, 1, NULL) == SINEW_OK);
+    CHECK(sinew_world_draw_debug(closing.world, &draw, 10) == SINEW_OK && closing.shapes == 17);
+}
+
 static void count_failure(void* context, sinew_status status, const char* message) {
     *(int*)context += status == SINEW_BAD_HANDLE && message[0] != 0;
 }
@@ -516,6 +539,7 @@ int main(void) {
     colliders_carry();
     user_data_belongs_to_an_object();
     everything_is_drawn();
+    drawing_may_close_the_world();
     hooks_are_called();
     tasks_are_enqueued_and_finished();
     instruction_sets_agree();
