@@ -78,12 +78,9 @@ class Grower {
         if (std::ranges::none_of(layout.parts, is_limit)) return;
         const auto* said = json::find(object, "kind");
         const auto* kind = said ? said->value.as<std::string>() : nullptr;
-        const int power = !kind || *kind == "distance" || *kind == "pulley" ? 1
-                          : *kind == "area"                                 ? 2
-                          : *kind == "volume"                               ? 3
-                                                                            : 0;
+        const auto info = kind_called(kind ? std::string_view(*kind) : "distance");
         for (const char* name : {"rest", "low", "high"})
-            if (auto* own = json::find(object, name)) times(own->value, power);
+            if (auto* own = json::find(object, name); own && info) times(own->value, info->length_power);
     }
 
     void times(Value& value, int power) const {

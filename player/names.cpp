@@ -6,7 +6,6 @@
 #include "player/scene_edit.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace sinew::play {
 namespace {
@@ -32,13 +31,6 @@ bool is_joint(const FigureSection& figure) {
     return std::ranges::all_of(by_hand->particles, [](const auto& particle) { return particle.second.pinned; });
 }
 
-std::string hex(const Color& color) {
-    const auto byte = [](float share) { return int(std::clamp(share, 0.0F, 1.0F) * 255 + 0.5F); };
-    char text[10];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.red), byte(color.green), byte(color.blue));
-    return text;
-}
-
 /// A look of each part that is coloured by its figure's place in the list.
 void keep_colors(const Scene& scene, const AnyWorld& world, std::size_t number, Object& figure) {
     const auto& section = scene.figures[number];
@@ -59,9 +51,9 @@ void keep_colors(const Scene& scene, const AnyWorld& world, std::size_t number, 
                 if (own && json::find(*own->value.template as<Object>(), "color")) continue;
                 const auto style = styles.of(piece.part);
                 auto look = own ? own->value : Value(Object{});
-                look.template as<Object>()->push_back({"color", Value(hex(style.color))});
+                look.template as<Object>()->push_back({"color", Value(hex_of(style.color))});
                 if (!json::find(*look.template as<Object>(), "fill"))
-                    look.template as<Object>()->push_back({"fill", Value(hex(style.fill))});
+                    look.template as<Object>()->push_back({"fill", Value(hex_of(style.fill))});
                 if (auto* member = json::find(looks, piece.part))
                     member->value = std::move(look);
                 else

@@ -7,7 +7,7 @@
 #include "player/joints.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <vector>
 
 namespace sinew::window {
 namespace {
@@ -30,13 +30,6 @@ bool is_dragged() {
     return ImGui::IsItemActive() && !ImGui::IsItemActivated();
 }
 
-std::string hex(const float* color) {
-    char text[10];
-    const auto byte = [](float share) { return int(std::clamp(share, 0.0F, 1.0F) * 255 + 0.5F); };
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color[0]), byte(color[1]), byte(color[2]));
-    return text;
-}
-
 std::optional<Color> own_color(const play::Play& play, const FigureSection& section) {
     for (const auto& [part, look] : section.looks)
         if (part == "all") return color_in(theme_called(play.shown_theme()), look.color);
@@ -53,17 +46,16 @@ void colors(play::Play& play, const std::vector<std::string>& names, const Figur
         const auto& color = theme.palette[i];
         const ImVec4 shown{color.red, color.green, color.blue, 1};
         ImGui::PushID(int(i));
-        if (ImGui::ColorButton("##swatch", shown, ImGuiColorEditFlags_NoTooltip, {side * 0.8F, side})) {
-            const float numbers[3] = {color.red, color.green, color.blue};
-            set_all(play, names, "looks.all.color", json::Value(hex(numbers)), false);
-        }
+        if (ImGui::ColorButton("##swatch", shown, ImGuiColorEditFlags_NoTooltip, {side * 0.8F, side}))
+            set_all(play, names, "looks.all.color", json::Value(hex_of(color)), false);
         ImGui::PopID();
         ImGui::SameLine(0, 3 * scale);
     }
     const auto now = own_color(play, section).value_or(theme.palette[0]);
     float numbers[3] = {now.red, now.green, now.blue};
     if (ImGui::ColorEdit3("##color", numbers, ImGuiColorEditFlags_NoInputs))
-        set_all(play, names, "looks.all.color", json::Value(hex(numbers)), is_dragged());
+        set_all(play, names, "looks.all.color", json::Value(hex_of({numbers[0], numbers[1], numbers[2]})),
+                is_dragged());
     tooltip("any colour");
 }
 
@@ -127,15 +119,12 @@ void figure_form(play::Play& play, const Look& look, float scale) {
 }
 
 void joint_form(play::Play& play, const Look& look) {
-    const auto& all = play::joints;
-    const auto of = [&](std::size_t i) { return Choice{all[i].name.data(), all[i].about.data()}; };
-    int now = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (play.joint == all[i].name) now = int(i);
-    const int pressed =
-        choice("joint", {of(0), of(1), of(2), of(3), of(4)}, now, look, ImGui::GetContentRegionAvail().x);
-    if (pressed >= 0) play.joint = all[std::size_t(pressed)].name;
+    std::vector<Choice> words;
+    for (const auto& joint : play::joints) words.push_back({joint.name.data(), joint.about.data()});
     const auto* chosen = std::ranges::find(play::joints, play.joint, &play::Joint::name);
+    const int pressed =
+        choice("joint", words, int(chosen - play::joints.begin()), look, ImGui::GetContentRegionAvail().x);
+    if (pressed >= 0) play.joint = play::joints[std::size_t(pressed)].name;
     ImGui::PushTextWrapPos();
     if (chosen != play::joints.end()) ImGui::TextColored(look.faint, "%s", chosen->about.data());
     ImGui::PopTextWrapPos();

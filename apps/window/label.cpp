@@ -45,7 +45,7 @@ std::string number_format(const char* number, const std::string& unit) {
     return unit.empty() ? number : number + (" " + unit);
 }
 
-int choice(const char* id, std::initializer_list<Choice> words, int chosen, const Look& look, float width) {
+int choice(const char* id, const std::vector<Choice>& words, int chosen, const Look& look, float width) {
     const auto at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight(), each = width / float(words.size());
     auto& list = *ImGui::GetWindowDrawList();

@@ -3,6 +3,7 @@
 #include "apps/window/look.h"
 
 #include <string>
+#include <vector>
 
 namespace sinew::window {
 
@@ -27,7 +28,7 @@ struct Choice {
 };
 
 /// A row of words in one frame, with the word number `chosen` marked. Returns the number of the word pressed, or -1.
-int choice(const char* id, std::initializer_list<Choice> words, int chosen, const Look& look, float width);
+int choice(const char* id, const std::vector<Choice>& words, int chosen, const Look& look, float width);
 
 /// A square button with an icon, filled if `on`.
 bool icon_button(std::string_view icon, float side, bool on, const Look& look, const std::string& tip);

@@ -43,4 +43,14 @@ std::optional<Color> parse_color(std::string_view text) {
     return from_rgb(found->rgb);
 }
 
+std::string hex_of(const Color& color) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "#";
+    for (const float channel : {color.red, color.green, color.blue}) {
+        const auto byte = std::size_t(std::clamp(channel, 0.0F, 1.0F) * 255 + 0.5F);
+        text += {digits[byte / 16], digits[byte % 16]};
+    }
+    return text;
+}
+
 } // namespace sinew

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace sinew {
@@ -14,6 +15,8 @@ struct Color {
 /// Parses #rgb, #rrggbb, #rrggbbaa, "none" (fully transparent) or a CSS colour name (color_names.h). Returns nothing
 /// for any other text.
 std::optional<Color> parse_color(std::string_view text);
+/// #rrggbb, channels clamped to [0, 1]; without alpha.
+std::string hex_of(const Color& color);
 
 /// Linear interpolation a + (b - a) t of each channel.
 constexpr Color mix(const Color& a, const Color& b, float t) {

@@ -112,6 +112,23 @@ TEST_F(Selecting, TheRingTurnsAndTheSquareScales) {
     expect_opens_again();
 }
 
+TEST_F(Selecting, LimitsGrowByThePowerOfTheirKind) {
+    std::ofstream(folder / "slider.json") << R"({"sinew": 1, "figures": [{"name": "slider",
+        "particles": {"a": {"at": [0, 0]}, "b": {"at": [1, 0]}, "c": {"at": [0.5, 0.1]}},
+        "constraints": [{"kind": "rail", "between": ["a", "b", "c"], "low": -0.1, "high": 0.2},
+                        {"kind": "area", "between": ["a", "b", "c"], "low": 0.01, "high": 0.05},
+                        {"kind": "angle", "between": ["a", "b", "c"], "low": 10, "high": 60}]}]})";
+    play.open(folder / "slider.json");
+    const Part slider{"slider", false};
+    ASSERT_TRUE(play.reshape({slider}, {.scale = 2}, "scale", false)) << play.problem();
+    const auto& constraints = std::get<ByHand>(play.session().scene().figures[0].made).constraints;
+    const double expected[3][2] = {{-0.2, 0.4}, {0.04, 0.2}, {10, 60}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(*constraints[i].low, expected[i][0], 1e-9) << i;
+        EXPECT_NEAR(*constraints[i].high, expected[i][1], 1e-9) << i;
+    }
+}
+
 TEST_F(Selecting, CopiesLieBesideTheirOriginalsWithTheirPins) {
     play.handle(Key{"ctrl+d"});
     EXPECT_EQ(play.session().scene().figures.size(), 3u) << "nothing is chosen";

@@ -108,6 +108,8 @@ TEST(Colors, AreAllOfCss) {
     EXPECT_EQ(*parse_color("rebeccapurple"), *parse_color("#663399"));
     EXPECT_EQ(*parse_color("papayawhip"), *parse_color("#ffefd5"));
     EXPECT_EQ(*parse_color("brown"), *parse_color("#a52a2a"));
+    for (const auto* hex : {"#000000", "#0a10f9", "#ffffff"}) EXPECT_EQ(hex_of(*parse_color(hex)), hex);
+    EXPECT_EQ(hex_of({-1, 0.5F, 2}), "#0080ff");
     EXPECT_EQ(colored("lightgoldenrodyellow"), "");
     EXPECT_EQ(colored("paper"), "");
 }
