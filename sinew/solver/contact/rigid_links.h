@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -89,8 +90,10 @@ template <int D, class Real> struct RigidLinks {
     void list_inner(RigidLinks& to) const {
         to.list = inner;
         to.clusters.begin(component_of.size(), 0);
-        sinew::sort(to.list.begin(), to.list.end(),
-                    [](const auto& x, const auto& y) { return x.root != y.root ? x.root < y.root : x.row < y.row; });
+        const auto key = [](const RigidLink& link) { // by places of particles: a grid of links has a narrow skyline
+            return std::tuple(link.root, std::max(link.a, link.b), std::min(link.a, link.b), link.row);
+        };
+        sinew::sort(to.list.begin(), to.list.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
         to.first_at_.assign(component_of.size(), none);
         to.components.clear();
         for (std::uint32_t begin = 0, end = 0; begin < to.list.size(); begin = end) {
