@@ -12,7 +12,9 @@ template <int D> struct FreeBody {
     std::uint32_t first = 0, members = 0; ///< slots from the first on; scattered: range of FreeBodies::slots
     bool scattered = false;
     bool lossless = true; ///< neither springs nor motors: constraints never add energy
+    bool near = false;    ///< contacts may act on it
     // Room for a step.
+    bool meets = false;           ///< near enough to touch something in this step
     bool held = false;            ///< touches a plane, or an immovable particle
     Vec<spins<D>, double> spin{}; ///< angular momentum about the centre due at the end, per mass
     double square = 0;            ///< largest mean square of the velocity about the centre due at the end
@@ -24,6 +26,7 @@ template <int D> struct FreeBodies {
     std::vector<std::uint32_t> slots; ///< of scattered bodies
     std::vector<char> touched;        ///< by slot: met a plane in this step; empty without planes
 
+    std::uint32_t first_of(const FreeBody<D>& body) const { return body.scattered ? slots[body.first] : body.first; }
     void clear() {
         list.clear();
         slots.clear();

@@ -95,9 +95,10 @@ template <int D, class Real> void bound_energy(World<D, Real>& world, Solver<D, 
 template <int D, class Real> void damp_internally(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 
 /// alone.cpp: before a step, finds the bodies that are far from everything they may touch; while a world is prepared,
-/// lists its bodies.
+/// lists its bodies; within a step, whether the body of a particle that is near may touch something.
 template <int D, class Real> void find_alone(World<D, Real>& world, Solver<D, Real>& solver, Real dt);
 template <int D, class Real> void list_bodies(World<D, Real>& world, Solver<D, Real>& solver);
+template <int D, class Real> bool meets_others(const Solver<D, Real>& solver, Row row);
 
 /// classic.cpp: a step by the originals' rules.
 template <int D, class Real> void classic_step(World<D, Real>& world, Solver<D, Real>& solver, Real dt);

@@ -1,3 +1,5 @@
+#include "sinew/world/colliders.h"
+
 #include "tests/flight.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
@@ -43,6 +45,16 @@ TYPED_TEST(SweptFlight, KeepsItsSpin) {
         const auto begun = flight.spin();
         flight.fly(seconds<TypeParam>());
         EXPECT_LE(norm(flight.spin() - begun), (TypeParam::precise ? 1e-8 : 1e-3) * norm(begun)) << name;
+    });
+}
+
+// Balls and formations touch each other meanwhile.
+TYPED_TEST(SweptFlight, KeepsItsSpinWhereItMayTouchOthers) {
+    for_every_swept_figure<TypeParam>([](auto& flight, const std::string& name) {
+        for (FigureIndex i = 0; i < flight.world.figures.size(); ++i) set_contact(flight.world, i, {.figures = true});
+        const auto begun = flight.spin();
+        flight.fly(seconds<TypeParam>());
+        EXPECT_LE(norm(flight.spin() - begun), 1e-3 * norm(begun)) << name;
     });
 }
 

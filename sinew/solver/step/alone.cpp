@@ -22,7 +22,7 @@ template <int D, class Real> class AloneFinder {
     void run() {
         list();
         const bool may_become_alone = world_.steps % interval == 0 && room_.any_may_be_block;
-        if (!may_become_alone && !any_alone()) return;
+        if (room_.bodies.empty()) return;
         make_boxes();
         find_near();
         bool any_changes = false;
@@ -64,11 +64,6 @@ template <int D, class Real> class AloneFinder {
         return has_figure(world_, p_.figure[row]) && world_.figures[p_.figure[row]].collides;
     }
     bool is_near(std::size_t i) const { return p_.near[first(i)] != 0; }
-    bool any_alone() const {
-        for (std::size_t i = 0; i < room_.bodies.size(); ++i)
-            if (may_be_block(i) && !is_near(i)) return true;
-        return false;
-    }
     std::span<const Row> rows_of(std::size_t i) const {
         return std::span(room_.rows).subspan(room_.first_row[i], size(i));
     }
@@ -182,10 +177,14 @@ template <int D, class Real> class AloneFinder {
 
     void find_near() {
         room_.is_near.assign(room_.bodies.size(), 0);
+        room_.meets.assign(room_.bodies.size(), 0);
         room_.met.clear();
         max_way_ = 0;
-        for (std::uint32_t i = 0; i < room_.bodies.size(); ++i)
-            if (body(i).is_movable && (!may_be_block(i) || is_near_walls(i))) note_near(i);
+        for (std::uint32_t i = 0; i < room_.bodies.size(); ++i) {
+            if (!body(i).is_movable) continue;
+            room_.meets[i] = is_near_walls(i) || touches_itself(i);
+            if (!may_be_block(i) || room_.meets[i]) note_near(i);
+        }
         const int axis = widest_axis();
         do {
             grow_those_met();
@@ -195,6 +194,9 @@ template <int D, class Real> class AloneFinder {
     }
     void note_near(std::uint32_t i) {
         if (!std::exchange(room_.is_near[i], char(1)) && body(i).is_movable && collides(i)) room_.met.push_back(i);
+    }
+    bool touches_itself(std::size_t i) const {
+        return has_figure(world_, body(i).figure) && world_.figures[body(i).figure].touches_itself;
     }
     bool is_near_walls(std::size_t i) const {
         if (collides(i) && body(i).has_several_figures) return true;
@@ -242,7 +244,8 @@ template <int D, class Real> class AloneFinder {
         }
     }
     void meet(std::uint32_t i, std::uint32_t k) {
-        if ((room_.is_near[i] && room_.is_near[k]) || !may_touch(body(i), body(k))) return;
+        if ((room_.meets[i] && room_.meets[k]) || !may_touch(body(i), body(k))) return;
+        room_.meets[i] = room_.meets[k] = 1;
         note_near(i), note_near(k);
     }
     bool may_touch(const SleepBody& a, const SleepBody& b) const {
@@ -277,6 +280,12 @@ template <int D, class Real> void find_alone(World<D, Real>& world, Solver<D, Re
     AloneFinder<D, Real>(world, alone_room(solver), dt).run();
 }
 
+template <int D, class Real> bool meets_others(const Solver<D, Real>& solver, Row row) {
+    const auto& room = *solver.alone;
+    const auto at = room.index_of[room.all.body_of[row]];
+    return at == room.none || room.meets[at] != 0;
+}
+
 template <int D, class Real> void list_bodies(World<D, Real>& world, Solver<D, Real>& solver) {
     if (!may_touch(world)) return;
     AloneFinder<D, Real>(world, alone_room(solver), Real(0)).list();
@@ -284,7 +293,8 @@ template <int D, class Real> void list_bodies(World<D, Real>& world, Solver<D, R
 
 #define SINEW_ALONE(D, Real)                                                                                           \
     template void find_alone(World<D, Real>&, Solver<D, Real>&, Real);                                                 \
-    template void list_bodies(World<D, Real>&, Solver<D, Real>&);
+    template void list_bodies(World<D, Real>&, Solver<D, Real>&);                                                      \
+    template bool meets_others(const Solver<D, Real>&, Row);
 SINEW_INSTANTIATE(SINEW_ALONE)
 
 } // namespace sinew

@@ -37,6 +37,7 @@ template <int D, class Real> struct AloneRoom {
     std::vector<collide::BoundingBox<D, Real>> boxes;
     std::vector<Real> way;                           ///< of the fastest particle
     std::vector<char> is_near, is_pulled, is_buried; ///< is_pulled: by a pin; is_buried: held behind a wall
+    std::vector<char> meets;                         ///< may touch something in this step
     std::vector<std::uint32_t> order, met;           ///< along the axis; found to be near something just now
     int axis = 0;
 };
@@ -72,7 +73,7 @@ template <int D, class Real> class AloneBodyFinder {
         if (may_tear) room_.all.attached.reserve(2 * constraints);
         const auto count = may_tear ? p_.size() : room_.all.bodies.size();
         for (auto* flags : {&room_.collides, &room_.is_rod, &room_.is_plain, &room_.may_be_block, &room_.is_near,
-                            &room_.is_pulled, &room_.is_buried})
+                            &room_.is_pulled, &room_.is_buried, &room_.meets})
             flags->reserve(count);
         for (auto* numbers : {&room_.bodies, &room_.index_of, &room_.colliding, &room_.order, &room_.met})
             numbers->reserve(count);

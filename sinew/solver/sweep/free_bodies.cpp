@@ -69,11 +69,8 @@ template <int D, class Real> class FreeBodyFinder {
         }
     }
 
-    /// Marks components with pins or ports, those that rows of contact hold, and those with a constraint that acts
-    /// otherwise than in pairs.
+    /// Marks components with pins or ports, and those with a constraint that acts otherwise than in pairs.
     void hold() {
-        for (Row slot = 0; slot < state_.size(); ++slot)
-            if (world_.particles.near[state_.row_of[slot]] != 0) number_[sets_.first_of(slot)] = held;
         for (const auto& pinned : plan_.pins) number_[sets_.first_of(pinned.slot)] = held;
         for (const auto& group : ports_.groups)
             for (const auto slot : std::span(ports_.members).subspan(group.first, group.members))
@@ -104,7 +101,10 @@ template <int D, class Real> class FreeBodyFinder {
     /// Lists the members of bodies that do not lie side by side.
     void list_members() {
         for (Row slot = 0; slot < state_.size(); ++slot)
-            if (auto* body = body_of(slot)) body->scattered = body->scattered || slot >= body->first + body->members;
+            if (auto* body = body_of(slot)) {
+                body->scattered = body->scattered || slot >= body->first + body->members;
+                body->near = body->near || world_.particles.near[state_.row_of[slot]] != 0;
+            }
         std::uint32_t size = 0;
         for (auto& body : bodies_.list)
             if (body.scattered) body.first = std::exchange(size, size + std::exchange(body.members, 0));

@@ -63,6 +63,8 @@ template <int D, class Real> void begin_sweep(World<D, Real>& world, Solver<D, R
     detail::Crumpling<D, Real>(world, sweep_state).find();
     measure_bend_legs(world, sweep_state);
     auto& bodies = sweep_state.bodies;
+    for (auto& body : bodies.list)
+        body.meets = body.near && meets_others(solver, sweep_state.row_of[bodies.first_of(body)]);
     bodies.touched.assign(!has_walls(world) || bodies.list.empty() ? 0 : sweep_state.size(), 0);
     sweep_state.largest_radius = 0;
     if (!has_walls(world)) return;

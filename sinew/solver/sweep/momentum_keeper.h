@@ -24,7 +24,7 @@ template <int D, class Real> class MomentumKeeper {
     void note(std::span<FreeBody<D>> bodies, double keep) const {
         for (auto& body : bodies) {
             const auto before = moments_of(body);
-            body.held = before.mass >= immovable_mass;
+            body.held = body.meets || before.mass >= immovable_mass;
             const double per_mass = inverse_or_zero(before.mass);
             body.spin = before.spin * (keep * per_mass);
             body.square = before.square * (square(keep) * per_mass);
@@ -47,9 +47,6 @@ template <int D, class Real> class MomentumKeeper {
         else
             for (Row slot = body.first; slot < body.first + body.members; ++slot) visit(slot);
     }
-    Row first_of(const FreeBody<D>& body) const {
-        return body.scattered ? state_.bodies.slots[body.first] : body.first;
-    }
     bool touches(const FreeBody<D>& body) const {
         bool found = false;
         if (!state_.bodies.touched.empty()) each(body, [&](Row slot) { found = found || state_.bodies.touched[slot]; });
@@ -57,7 +54,7 @@ template <int D, class Real> class MomentumKeeper {
     }
 
     BodyColumns<D, Real> columns_of(const FreeBody<D>& body) const {
-        const Row first = first_of(body);
+        const Row first = state_.bodies.first_of(body);
         return {.position = state_.position[0],
                 .displacement = state_.displacement[0],
                 .stride = state_.stride(),
