@@ -57,6 +57,26 @@ template <int D, class Real> class BodyMotion {
         return taken;
     }
 
+    /// Takes energy from the motion about the centre: the momentum stays. Returns how much it took.
+    double slow_turn(double energy) {
+        whole_ = moments(p_.position);
+        const double there = 0.5 * whole_.square, taken = min(energy, there);
+        if (!(taken > 0)) return 0;
+        const double keep = square_root(max(1 - taken / there, 0.0));
+        for (const Row row : rows_)
+            p_.velocity[row] = cast<Real>(whole_.velocity + (cast<double>(p_.velocity[row]) - whole_.velocity) * keep);
+        return taken;
+    }
+
+    /// Gives a body the shape of a step ago, about its present centre.
+    void put_back(std::span<const Vec<D, Real>> before) {
+        const auto way = moments(p_.position).center - moments(before).center;
+        for (const Row row : rows_) {
+            p_.position[row] = clamp_components(cast<Real>(cast<double>(before[row]) + way), limit::coordinate<Real>);
+            p_.residual[row] = {};
+        }
+    }
+
   private:
     Particles<D, Real>& p_;
     std::span<const Row> rows_;

@@ -10,8 +10,10 @@
 /// kinetic energy, the potential of gravity and the energy of springs, at the ends of substeps, never rise in an
 /// implicit step that is solved to its end. An unfinished sweep, or a row of contact beside another, may add energy all
 /// the same. Any gain of an island, bodies near enough to touch each other, is taken from the motion of the bodies that
-/// gained it: first from the motion relative to the rigid body with the same momenta, which keeps both of them, then
-/// from the whole. A gain in height alone is left where something touches: figures that begin inside each other part.
+/// gained it. Where something pushes them: from the motion relative to the rigid body with the same momenta, then from
+/// the whole; a gain in height alone is left where something touches, for figures that begin inside each other part. In
+/// free flight: from the motion relative to the rigid body, from the rotation of what has shrunk, both of which keep
+/// the momenta; then from the motion of bodies past each other, and from their rotation.
 ///
 /// Islands that something else moves are not judged: driven pins, limits, colliders and belts, forces of the program;
 /// nor is a world with winds or attractors.
@@ -34,9 +36,14 @@ template <int D, class Real> class EnergyBound {
     void note() { measure_.note(); }
     void bound() {
         if (!room_.any_rows) return;
+        constexpr int rounds = 4; // springs of a body that is moved gain in turn
         measure_.measure_springs(room_.next);
-        if (measure_.measure_gains()) judge();
-        if (reshaped_) measure_.measure_springs(room_.next);
+        for (int round = 0; round < rounds && measure_.measure_gains(); ++round) {
+            reshaped_ = false;
+            judge();
+            if (!reshaped_) break;
+            measure_.measure_springs(room_.next);
+        }
         measure_.note_places();
         room_.stored = room_.next;
     }
@@ -184,6 +191,19 @@ template <int D, class Real> class EnergyBound {
             const auto less = past(i) * (1 - square_root(max(1 - whole.left * inverse_or_zero(whole.apart), 0.0)));
             for (const Row row : room_.rows[i]) p_.velocity[row] -= cast<Real>(less);
         });
+        each([&](std::uint32_t i) { slow_turn(i); });
+    }
+    /// Takes what is left even so from the rotation of the bodies of an island: an unfinished sweep has turned them. A
+    /// body whose springs gained more than that gets the shape back that it had.
+    void slow_turn(std::uint32_t i) {
+        const auto& island = this->island(i);
+        const double due = (island.left - island.apart) * gained(i) / island.all;
+        if (!(due > 0) || room_.bodies[i].is_held) return;
+        detail::BodyMotion<D, Real> motion(p_, room_.rows[i]);
+        if (due <= motion.slow_turn(due) || !(room_.bodies[i].tenser > 0)) return;
+        motion.put_back(room_.position);
+        measure_.put_back_forces(i);
+        reshaped_ = true;
     }
 };
 

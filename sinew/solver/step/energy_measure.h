@@ -84,6 +84,17 @@ template <int D, class Real> class EnergyMeasure {
         });
     }
 
+    /// Gives the springs of a body the forces of the step before.
+    void put_back_forces(std::uint32_t number) {
+        int kind = 0;
+        for_each_table(world_, [&](auto& table) {
+            const auto& kept = room_.multiplier[std::size_t(kind++)];
+            if (!has_springs(table)) return;
+            for (Row row = 0; row < table.size(); ++row)
+                if (body_of(table, row) == number) table.multiplier[row] = kept[row];
+        });
+    }
+
   private:
     using Vector = Vec<D, double>;
     static constexpr std::uint32_t none = ~0U;
