@@ -20,6 +20,7 @@ struct Kept {
 struct Last {
     std::string message;
     std::vector<Kept> diagnostics;
+    bool is_telling = false; ///< the log is running
 };
 
 Last& last() {
@@ -42,8 +43,14 @@ std::size_t characters_in(std::string_view text) {
 } // namespace
 
 sinew_status fail(sinew_status status, std::string message) {
-    last().message = std::move(message);
-    if (const auto& log = failure_log(); log.tell) log.tell(log.context, status, last().message.c_str());
+    auto& kept = last();
+    kept.message = message;
+    const auto log = failure_log();
+    if (!log.tell || kept.is_telling) return status;
+    kept.is_telling = true;
+    log.tell(log.context, status, message.c_str());
+    kept.is_telling = false;
+    kept.message = std::move(message); // the log's own calls may have failed
     return status;
 }
 

@@ -304,13 +304,14 @@ sinew_status sinew_world_constraint_at(sinew_world simulation, uint32_t kind, ui
     if (!constraint) return null_argument();
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
-            auto status = fail(SINEW_NOT_FOUND, "there are fewer constraints");
+            std::optional<sinew_constraint> found;
             const bool known = in_table(world, kind, [&](const auto& table) {
-                if (row >= table.size()) return;
-                *constraint = number_of(ConstraintId{int(kind), table.handles.id_of(row)});
-                status = SINEW_OK;
+                if (row < table.size()) found = number_of(ConstraintId{int(kind), table.handles.id_of(row)});
             });
-            return known ? status : no_kind();
+            if (!known) return no_kind();
+            if (!found) return fail(SINEW_NOT_FOUND, "there are fewer constraints");
+            *constraint = *found;
+            return SINEW_OK;
         });
     });
 }

@@ -75,10 +75,14 @@ using namespace sinew::c;
 
 namespace {
 
-/// Takes the steps of work(session).
+/// Takes the steps of work(session). Meanwhile the caller's threads, filter and allocator must not change the
+/// simulation.
 template <class Work> sinew_status advance(sinew_world handle, const Work& work) {
+    auto* known = simulations().find(handle.id);
     return change_own(handle, [&](Session& session) {
+        known->is_asking = true;
         work(session);
+        known->is_asking = false;
         return SINEW_OK;
     });
 }

@@ -44,7 +44,7 @@ struct Simulation {
         void* context = nullptr;
     };
     Filter filter{};        ///< of contacts, by the caller
-    bool is_asking = false; ///< a callback of the caller's is running
+    bool is_asking = false; ///< it steps: a callback of the caller's may be running
 
     /// Null if the player has no such pane, and for one that is lent between calls.
     const Session* session() const;

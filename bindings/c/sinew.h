@@ -819,7 +819,7 @@ SINEW_PROGRAM_API sinew_status sinew_import_close(sinew_import handle);
 
 /* --- hooks, set before any other thread calls the library -------------------------------------------------------- */
 
-/* Is told of every failure, in its thread, as sinew_message() has it. Null: nobody. */
+/* Is told of every failure, in its thread, as sinew_message() has it; not of those of its own calls. Null: nobody. */
 typedef void (*sinew_log)(void* context, sinew_status status, const char* message);
 SINEW_PROGRAM_API void sinew_set_log(sinew_log log, void* context);
 /* Receives a broken assertion of a library that checks them (SINEW_ASSERTIONS). Null: prints it and aborts. */
@@ -827,7 +827,7 @@ typedef void (*sinew_assertion_handler)(const char* file, int line, const char* 
 SINEW_PROGRAM_API void sinew_set_assertion_handler(sinew_assertion_handler handler);
 
 /* The caller's threads in place of the library's: calls task(task_context, i) for each i below `count` once, on any
- * threads, and returns when all calls have. */
+ * threads, and returns when all calls have. Meanwhile the world that steps may be read, and not be changed. */
 typedef void (*sinew_parallel)(void* context, void (*task)(void* task_context, uint32_t index), void* task_context,
                                uint32_t count);
 /* Null: the library's own threads. Results do not depend on it. */

@@ -226,15 +226,64 @@ static void one_after_the_other(void* context, void (*task)(void*, uint32_t), vo
     for (uint32_t i = 0; i < count; ++i) task(task_context, i);
 }
 
-/* A cloth of 10,000 particles is worth several threads; the caller's do it to the same bits. */
-static uint64_t hash_of_a_cloth(uint32_t threads) {
+/* A log whose own calls fail. */
+static void fail_within_the_log(void* context, sinew_status status, const char* message) {
+    const size_t length = strlen(message);
+    CHECK(status == SINEW_BAD_ARGUMENT && strcmp(message, sinew_message()) == 0);
+    CHECK(sinew_world_step((sinew_world){0}, 1) == SINEW_BAD_HANDLE && strlen(message) == length);
+    ++*(int*)context;
+}
+static void a_log_hears_of_failures_alone(void) {
+    const sinew_world world = created();
+    sinew_constraint constraint;
+    int told = 0;
+    CHECK(add_rope(world, NULL, NULL, 0, NULL) == SINEW_OK);
+    sinew_set_log(fail_within_the_log, &told);
+    CHECK(sinew_world_constraint_at(world, SINEW_DISTANCE, 0, &constraint) == SINEW_OK && told == 0);
+    CHECK(sinew_world_set_mass(world, 0, -1) == SINEW_BAD_ARGUMENT && told == 1);
+    CHECK(strcmp(sinew_message(), "a mass is at least 1e-30") == 0);
+    sinew_set_log(NULL, NULL);
+    CHECK(sinew_world_constraint_at(world, SINEW_DISTANCE, 1u << 20, &constraint) == SINEW_NOT_FOUND);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
+/* Threads of the caller that would close the world they step. */
+struct meddling {
+    sinew_world world;
+    int calls, refused;
+};
+static void close_between_tasks(void* context, void (*task)(void*, uint32_t), void* task_context, uint32_t count) {
+    struct meddling* meddling = context;
+    sinew_particle particle;
+    const sinew_particle_spec spec = {.mass = 1};
+    ++meddling->calls;
+    meddling->refused += sinew_world_close(meddling->world) == SINEW_READ_ONLY &&
+                         sinew_world_step(meddling->world, 1) == SINEW_READ_ONLY &&
+                         sinew_world_add_particle(meddling->world, &spec, &particle) == SINEW_READ_ONLY;
+    for (uint32_t i = 0; i < count; ++i) task(task_context, i);
+}
+static sinew_world world_of_a_cloth(uint32_t threads) {
     const sinew_world world = created();
     const sinew_parameter parameters[] = {{"columns", 100, NULL}, {"rows", 100, NULL}};
     const sinew_figure_spec spec = {
         .struct_size = sizeof spec, .prefab = "cloth", .parameters = parameters, .parameter_count = 2};
-    uint64_t hash = 0;
     CHECK(sinew_world_set_threads(world, threads) == SINEW_OK);
     CHECK(sinew_world_add_figure(world, &spec, NULL) == SINEW_OK);
+    return world;
+}
+static void threads_leave_the_world_alone(void) {
+    struct meddling meddling = {world_of_a_cloth(4), 0, 0};
+    sinew_set_parallel(close_between_tasks, &meddling);
+    CHECK(sinew_world_step(meddling.world, 1) == SINEW_OK);
+    CHECK(meddling.calls > 0 && meddling.refused == meddling.calls);
+    sinew_set_parallel(NULL, NULL);
+    CHECK(sinew_world_close(meddling.world) == SINEW_OK);
+}
+
+/* A cloth of 10,000 particles is worth several threads; the caller's do it to the same bits. */
+static uint64_t hash_of_a_cloth(uint32_t threads) {
+    const sinew_world world = world_of_a_cloth(threads);
+    uint64_t hash = 0;
     CHECK(sinew_world_step(world, 2) == SINEW_OK);
     CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK);
     CHECK(sinew_world_close(world) == SINEW_OK);
@@ -540,6 +589,8 @@ int main(void) {
     user_data_belongs_to_an_object();
     everything_is_drawn();
     drawing_may_close_the_world();
+    a_log_hears_of_failures_alone();
+    threads_leave_the_world_alone();
     hooks_are_called();
     tasks_are_enqueued_and_finished();
     instruction_sets_agree();
