@@ -29,7 +29,9 @@ sinew_status sinew_world_steer(sinew_world simulation, uint32_t figure, const si
         auto& steering = session.steering();
         if (!steering.steered(session.scene(), session.world(), FigureIndex(figure))) return no_controls();
         const Controls wanted{controls.along, controls.up, controls.jump != 0, controls.hold != 0};
-        steering.set(FigureIndex(figure), given ? std::optional(wanted) : std::nullopt);
+        const auto id =
+            std::visit([&](const auto& world) { return figure_id(world, FigureIndex(figure)); }, session.world());
+        steering.set(id, given ? std::optional(wanted) : std::nullopt);
         return SINEW_OK;
     });
 }

@@ -48,23 +48,23 @@ std::optional<Steering::Steered> Steering::of(const FigureSection& section) {
     return found;
 }
 
-void Steering::set(FigureIndex figure, std::optional<Controls> controls) {
-    std::erase_if(set_, [&](const auto& entry) { return entry.first == figure; });
+void Steering::set(const FigureId& figure, std::optional<Controls> controls) {
+    std::erase_if(set_, [&](const auto& entry) { return entry.first.index == figure.index; });
     if (controls) set_.emplace_back(figure, *controls);
 }
 
-void Steering::know(FigureIndex figure, const Steered& steered) {
-    std::erase_if(known_, [&](const auto& entry) { return entry.first == figure; });
+void Steering::know(const FigureId& figure, const Steered& steered) {
+    std::erase_if(known_, [&](const auto& entry) { return entry.first.index == figure.index; });
     known_.emplace_back(figure, steered);
 }
 
 std::optional<Steering::Steered> Steering::steered(const Scene& scene, const AnyWorld& world,
                                                    FigureIndex figure) const {
-    for (const auto& [known, parameters] : known_)
-        if (known == figure) return parameters;
     return std::visit(
         [&](const auto& any) -> std::optional<Steered> {
             if (!has_figure(any, figure)) return std::nullopt;
+            for (const auto& [known, parameters] : known_)
+                if (known == figure_id(any, figure)) return parameters;
             for (const auto& section : scene.figures)
                 if (name_of(section) == any.figures[figure].name) return of(section);
             return std::nullopt;
@@ -86,7 +86,8 @@ template <class WorldT> void Steering::run_in(const Scene& scene, WorldT& world)
     using Real = typename WorldT::Real;
     const double now = world.time + step_length(scene) * 1e-6; // the clock is a sum of steps
     const auto move = [&](FigureIndex figure, const Steered& steered) {
-        const auto own = std::ranges::find(set_, figure, [](const auto& entry) { return entry.first; });
+        const auto own =
+            std::ranges::find(set_, figure_id(world, figure), [](const auto& entry) { return entry.first; });
         const auto controls = own != set_.end() ? own->second
                               : player_         ? *player_
                                                 : controls_at(scene, world.figures[figure].name, now);
@@ -99,8 +100,8 @@ template <class WorldT> void Steering::run_in(const Scene& scene, WorldT& world)
     for (const auto& section : scene.figures)
         if (const auto steered = of(section))
             if (const auto figure = find_figure(world, name_of(section))) move(*figure, *steered);
-    for (const auto& [figure, steered] : known_)
-        if (has_figure(world, figure)) move(figure, steered);
+    for (const auto& [known, steered] : known_)
+        if (const auto figure = figure_index(world, known)) move(*figure, steered);
 }
 
 void Steering::run(const Scene& scene, AnyWorld& any) const {

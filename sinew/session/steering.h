@@ -25,10 +25,11 @@ class Steering {
     /// Controls of the player's keys, for every figure that the program does not control.
     void play(const Controls& controls) { player_ = controls; }
     const Controls& player() const { return player_ ? *player_ : neutral; }
-    /// Controls of a figure by the program; nothing: the player's and the scene's again.
-    void set(FigureIndex figure, std::optional<Controls> controls);
+    /// Controls of a figure by the program; nothing: the player's and the scene's again. A later figure of the same
+    /// index has none of them.
+    void set(const FigureId& figure, std::optional<Controls> controls);
     /// Parameters of a figure that is not of the scene.
-    void know(FigureIndex figure, const Steered& steered);
+    void know(const FigureId& figure, const Steered& steered);
     /// Parameters of a figure; nothing for one that cannot be steered.
     std::optional<Steered> steered(const Scene& scene, const AnyWorld& world, FigureIndex figure) const;
     /// True if there is something to steer.
@@ -42,8 +43,8 @@ class Steering {
   private:
     static constexpr Controls neutral{};
     std::optional<Controls> player_;
-    std::vector<std::pair<FigureIndex, Controls>> set_;
-    std::vector<std::pair<FigureIndex, Steered>> known_;
+    std::vector<std::pair<FigureId, Controls>> set_;
+    std::vector<std::pair<FigureId, Steered>> known_;
 
     template <class WorldT> void run_in(const Scene& scene, WorldT& world) const;
 };

@@ -96,6 +96,17 @@ static void prefabs_take_parameters(void) {
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
+static void a_parameter_may_name_a_figure(void) {
+    const sinew_world world = created();
+    const sinew_parameter named[] = {{"name", 0, "second"}};
+    uint32_t first = 99, second = 99, again = 99, found = 99;
+    CHECK(add_rope(world, "first", NULL, 0, &first) == SINEW_OK);
+    CHECK(add_rope(world, "other", named, 1, &second) == SINEW_OK && second != first);
+    CHECK(sinew_world_find_figure(world, "second", &found) == SINEW_OK && found == second);
+    CHECK(add_rope(world, "third", named, 1, &again) == SINEW_BAD_ARGUMENT && again == 99);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
 /* A ball lies on each shape by its radius above the surface, and falls once the collider is gone. */
 static void colliders_carry(void) {
     const sinew_point line[] = {{-2, 0, 0}, {2, 0, 0}};
@@ -430,6 +441,33 @@ static void figures_are_steered(void) {
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
+/* A figure at the index of a removed character is not steered by what was said of that one. */
+static void controls_go_with_their_figure(void) {
+    const sinew_world world = created();
+    const sinew_collider_spec ground = {.struct_size = sizeof ground, .friction = 0.8};
+    const sinew_figure_spec hero = {.struct_size = sizeof hero, .prefab = "character"};
+    const sinew_controls controls = {.struct_size = sizeof controls, .along = 1};
+    sinew_collider id;
+    sinew_footing footing;
+    sinew_particle feet;
+    sinew_particle_state state = {.velocity = {9, 0, 0}};
+    uint32_t first, second, rope;
+    CHECK(sinew_world_add_collider(world, &ground, &id) == SINEW_OK);
+    CHECK(sinew_world_add_figure(world, &hero, &first) == SINEW_OK);
+    CHECK(sinew_world_steer(world, first, &controls) == SINEW_OK);
+    CHECK(sinew_world_remove_figure(world, first) == SINEW_OK);
+    CHECK(sinew_world_steer(world, first, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_get_footing(world, first, &footing) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_add_figure(world, &hero, &second) == SINEW_OK && second == first);
+    CHECK(sinew_world_step(world, 60) == SINEW_OK);
+    CHECK(sinew_world_find_particle(world, "character/feet", &feet) == SINEW_OK);
+    CHECK(sinew_world_get_particle(world, feet, &state) == SINEW_OK && fabs(state.velocity[0]) < 0.05);
+    CHECK(sinew_world_remove_figure(world, second) == SINEW_OK);
+    CHECK(add_rope(world, NULL, NULL, 0, &rope) == SINEW_OK && rope == second);
+    CHECK(sinew_world_steer(world, rope, &controls) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
 /* A filter's caller: a platform that nothing touches. */
 struct level {
     sinew_world world;
@@ -585,6 +623,7 @@ int main(void) {
     wrong_sizes_and_numbers_are_errors();
     structs_of_a_later_version_are_read_as_far_as_they_are_known();
     prefabs_take_parameters();
+    a_parameter_may_name_a_figure();
     colliders_carry();
     user_data_belongs_to_an_object();
     everything_is_drawn();
@@ -596,6 +635,7 @@ int main(void) {
     instruction_sets_agree();
     memory_is_the_callers();
     figures_are_steered();
+    controls_go_with_their_figure();
     contacts_are_filtered();
     files_are_bytes();
     other_files_are_scenes();

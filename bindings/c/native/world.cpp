@@ -1,3 +1,4 @@
+#include "sinew/scene/check.h"
 #include "sinew/scene/text.h"
 #include "sinew/world/environment.h"
 
@@ -74,21 +75,26 @@ std::string scene_with(const Scene& scene, const sinew_figure_spec& spec, const 
 }
 
 sinew_status add_figure(Session& session, const sinew_figure_spec& spec, std::uint32_t* figure) {
-    const auto name = spec.name ? std::string(spec.name) : free_name(session.world(), spec.prefab);
+    const auto wanted = spec.name ? std::string(spec.name) : free_name(session.world(), spec.prefab);
     std::vector<Override> overrides;
     if (!overrides_of(spec, overrides)) return null_argument();
-    auto document = load(scene_with(session.scene(), spec, name), "sinew_figure_spec", overrides);
+    auto document = load(scene_with(session.scene(), spec, wanted), "sinew_figure_spec", overrides);
     auto opened = open_scene(document);
     if (const auto status = keep_diagnostics(document.diagnostics)) return status;
     auto& section = opened->scene.figures.front();
     section.turn = spec.turn;
+    const std::string name(name_of(section)); // a parameter, too, may name it
     const auto find = [&] {
         return std::visit([&](const auto& world) { return find_figure(world, name); }, session.world());
     };
     if (find()) return fail(SINEW_BAD_ARGUMENT, concat("a figure is called ", in_quotes(name), " already"));
     sinew::add_figure(session.scene(), section, session.world());
-    if (const auto steered = Steering::of(section)) session.steering().know(*find(), *steered);
-    if (figure) *figure = *find();
+    const auto added = *find();
+    if (const auto steered = Steering::of(section)) {
+        const auto id = std::visit([&](const auto& world) { return figure_id(world, added); }, session.world());
+        session.steering().know(id, *steered);
+    }
+    if (figure) *figure = added;
     return SINEW_OK;
 }
 
