@@ -9,6 +9,7 @@
 #include "bindings/c/reading.h"
 #include "player/scene_edit.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sinew::c {
@@ -31,6 +32,14 @@ Handles<Simulation>& simulations() {
 
 bool is_finite(const sinew_point& point) {
     return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+sinew_point of_usable_length(const sinew_point& direction) {
+    constexpr double shortest = 1e-12, longest = 1e12;
+    const auto& [x, y, z] = direction;
+    const double length = std::max({std::fabs(x), std::fabs(y), std::fabs(z)});
+    if (length == 0 || (length > shortest && length < longest)) return direction;
+    return {x / length, y / length, z / length};
 }
 
 std::uint64_t number_of(std::uint32_t slot, std::uint32_t generation) {

@@ -89,12 +89,14 @@ template <int D, class Real> Vec<D, Real> vector_of(const sinew_point& point) {
     return point_of(point).as<D, Real>();
 }
 bool is_finite(const sinew_point& point);
+/// The same direction, by a vector whose square neither overflows nor vanishes, even in float.
+sinew_point of_usable_length(const sinew_point& direction);
 /// Rotation by an angle; in space about an axis, or about z if there is none.
 template <int D, class Real> collide::Rotation<D, Real> rotation_of(double angle, const sinew_point* axis) {
     if constexpr (D == 2) {
         return collide::Rotation<2, Real>::of(Real(angle));
     } else {
-        const auto given = axis ? vector_of<3, Real>(*axis) : Vec<3, Real>{};
+        const auto given = axis ? vector_of<3, Real>(of_usable_length(*axis)) : Vec<3, Real>{};
         return collide::Rotation<3, Real>::of(given == Vec<3, Real>{} ? Vec<3, Real>::axis(2) : given, Real(angle));
     }
 }

@@ -44,6 +44,8 @@ static void wrong_sizes_and_numbers_are_errors(void) {
     CHECK(sinew_world_create(&spec, &world) == SINEW_BAD_ARGUMENT);
     spec = (sinew_world_spec){.struct_size = sizeof spec, .rate = 1e9};
     CHECK(sinew_world_create(&spec, &world) == SINEW_BAD_SCENE);
+    spec = (sinew_world_spec){.struct_size = sizeof spec, .rate = -60};
+    CHECK(sinew_world_create(&spec, &world) == SINEW_BAD_SCENE);
     CHECK(world.id == 77);
 }
 
@@ -145,7 +147,33 @@ static void colliders_carry(void) {
     wrong = (sinew_collider_spec){
         .struct_size = sizeof wrong, .shape = SINEW_POLYGON_2D, .points = clockwise, .point_count = 3};
     CHECK(sinew_world_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT && none == 5);
+    const double numbers[][2] = {{-0.1, 0}, {1.1, 0}, {0, -0.1}, {NAN, 0}, {0, INFINITY}}; /* bounce, friction */
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+        wrong = (sinew_collider_spec){.struct_size = sizeof wrong, .bounce = numbers[i][0], .friction = numbers[i][1]};
+        CHECK(sinew_world_add_collider(world, &wrong, &none) == SINEW_BAD_ARGUMENT && none == 5);
+    }
     CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
+/* A beam along x, turned a quarter about z, stands 2 high. */
+static void axes_have_any_length(void) {
+    const double lengths[] = {1e-300, 1e-25, 1, 1e25, 1e300};
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; ++i) {
+        const sinew_world_spec space = {.struct_size = sizeof space, .dimension = 3, .real_bytes = i % 2 ? 4 : 8};
+        const sinew_collider_spec beam = {.struct_size = sizeof beam,
+                                          .shape = SINEW_BOX,
+                                          .half = {2, 0.1, 0.1},
+                                          .axis = {0, 0, lengths[i]},
+                                          .turn = 1.5707963267948966};
+        sinew_world world;
+        sinew_collider collider;
+        sinew_ray_hit hit = {0};
+        CHECK(sinew_world_create(&space, &world) == SINEW_OK);
+        CHECK(sinew_world_add_collider(world, &beam, &collider) == SINEW_OK);
+        CHECK(sinew_world_cast_ray(world, (sinew_point){0, 9, 0}, (sinew_point){0, -9, 0}, 0, ~0u, &hit) == SINEW_OK);
+        CHECK(fabs(hit.point.y - 2) < 1e-5);
+        CHECK(sinew_world_close(world) == SINEW_OK);
+    }
 }
 
 static void user_data_belongs_to_an_object(void) {
@@ -625,6 +653,7 @@ int main(void) {
     prefabs_take_parameters();
     a_parameter_may_name_a_figure();
     colliders_carry();
+    axes_have_any_length();
     user_data_belongs_to_an_object();
     everything_is_drawn();
     drawing_may_close_the_world();

@@ -18,8 +18,9 @@ bool is_collider(const sinew_collider_spec& spec) {
         if (!is_finite(*point)) return false;
     for (std::uint32_t i = 0; i < spec.point_count; ++i)
         if (!is_finite(spec.points[i])) return false;
-    return std::isfinite(spec.turn) && std::isfinite(spec.radius) && spec.radius >= 0 && std::isfinite(spec.bounce) &&
-           std::isfinite(spec.friction) && spec.half.x >= 0 && spec.half.y >= 0 && spec.half.z >= 0;
+    return std::isfinite(spec.turn) && std::isfinite(spec.radius) && spec.radius >= 0 && spec.bounce >= 0 &&
+           spec.bounce <= 1 && spec.friction >= 0 && std::isfinite(spec.friction) && spec.half.x >= 0 &&
+           spec.half.y >= 0 && spec.half.z >= 0;
 }
 
 /// True for a convex outline, counter-clockwise.
@@ -83,7 +84,7 @@ collide::Collider<D, Real> collider_of(const sinew_collider_spec& spec, collide:
     collider.restitution = Real(spec.bounce);
     collider.friction = Real(spec.friction);
     collider.filter = {spec.layers == 0 ? 1 : spec.layers, spec.mask == 0 ? ~std::uint32_t(0) : spec.mask};
-    collider.one_way = vector_of<D, Real>(spec.one_way);
+    collider.one_way = vector_of<D, Real>(of_usable_length(spec.one_way));
     collider.is_sensor = spec.is_sensor != 0;
     if (spec.name) collider.name = spec.name;
     return collider;

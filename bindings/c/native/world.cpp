@@ -34,7 +34,7 @@ std::string scene_of(const sinew_world_spec& spec, int dimension) {
     json::Object world{{"gravity", list_of(spec.gravity, dimension)}, {"damping", spec.damping}};
     json::Object solver{{"precision", spec.real_bytes == 4 ? "float" : "double"}};
     if (spec.substeps > 0) solver.push_back({"substeps", double(spec.substeps)});
-    if (spec.rate > 0) solver.push_back({"rate", spec.rate});
+    if (spec.rate != 0) solver.push_back({"rate", spec.rate});
     return json::to_text(
         json::Object{{"sinew", 1.0}, {"dimension", double(dimension)}, {"world", world}, {"solver", solver}});
 }
