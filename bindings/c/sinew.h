@@ -845,8 +845,9 @@ SINEW_PROGRAM_API sinew_status sinew_world_set_threads(sinew_world world, uint32
  * Results do not depend on it. SINEW_NOT_FOUND for one that the processor or the library has not. */
 SINEW_PROGRAM_API sinew_status sinew_world_set_simd(sinew_world world, const char* name);
 
-/* Memory of the library. `alignment` is a power of 2; null fails. `release` gets the size that was asked for. Both may
- * be called by any thread that steps. */
+/* Memory of the library. `alignment` is a power of 2. Null ends the program (std::terminate): where memory may run out,
+ * the function makes room before it returns. `release` gets the size that was asked for. Both may be called by any
+ * thread that steps. */
 typedef void* (*sinew_allocate_function)(void* context, size_t size, size_t alignment);
 typedef void (*sinew_release_function)(void* context, void* memory, size_t size);
 /* Null: malloc and free. Blocks go back to where they came from, so the allocator may change at any time. Steps of a
