@@ -20,6 +20,11 @@ install(FILES ${PROJECT_BINARY_DIR}/sinewConfig.cmake ${PROJECT_BINARY_DIR}/sine
     DESTINATION ${package_dir} COMPONENT dev)
 
 file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+# Without a shared library beside it the archive is what a program gets, with the libraries that it needs.
+set(libraries_of_archive " -lstdc++ -lm -pthread")
+if(TARGET sinew_shared)
+    set(libraries_of_archive "")
+endif()
 foreach(name IN ITEMS sinew sinew-c)
     configure_file(cmake/${name}.pc.in ${name}.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)

@@ -47,6 +47,13 @@ run(${work}/pasted/build/hello)
 run(sh -c "PKG_CONFIG_PATH=$(dirname $(find ${prefix} -name sinew.pc)) &&
     export PKG_CONFIG_PATH &&
     ${compiler} ${flags} ${work}/hello.cpp -o ${work}/hello $(pkg-config --cflags --libs sinew) && ${work}/hello")
+# A compiler of C adds no library of C++.
+string(REPLACE "clang++" "clang" c_compiler "${compiler}")
+string(REPLACE "g++" "gcc" c_compiler "${c_compiler}")
+string(REPLACE "c++" "cc" c_compiler "${c_compiler}")
+run(sh -c "PKG_CONFIG_PATH=$(dirname $(find ${prefix} -name sinew.pc)) &&
+    export PKG_CONFIG_PATH && LD_LIBRARY_PATH=$(dirname $(dirname $(find ${prefix} -name sinew.pc))) && export LD_LIBRARY_PATH &&
+    ${c_compiler} ${flags} ${work}/hello.c -o ${work}/hello_in_c $(pkg-config --cflags --libs sinew-c) && ${work}/hello_in_c")
 
 # As a subdirectory: without the packages of the command, and without a word of them on any line of the build.
 run(${CMAKE_COMMAND} -G Ninja -S ${source}/tests/consumer/subdirectory -B ${work}/subdirectory -D FOLDER=${work}
