@@ -127,7 +127,7 @@ typedef struct sinew_open_options {
 SINEW_API sinew_status sinew_world_open(const char* scene, const sinew_open_options* options, sinew_world* world);
 /* Reads a scene and reports its errors, without keeping it. `options` may be null. */
 SINEW_API sinew_status sinew_check(const char* scene, const sinew_open_options* options);
-/* A copy in the present state, which goes on by itself. */
+/* A copy in the present state, which goes on by itself: without filter, user data, and the code of a level. */
 SINEW_API sinew_status sinew_world_copy(sinew_world world, sinew_world* copy);
 SINEW_API sinew_status sinew_world_close(sinew_world world);
 

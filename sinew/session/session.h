@@ -94,6 +94,8 @@ class Session {
     /// Begins anew with code beside the scene; null: without. Copies share the code, and snapshots have none.
     void play(std::shared_ptr<Level> level);
     const std::shared_ptr<Level>& level() const { return level_; }
+    /// Goes on without the code beside the scene.
+    void leave_level() { level_ = nullptr; }
     /// Goes on with other code, as `become` does with another scene: figures whose parts are the same keep their state.
     void become(Scene scene, std::shared_ptr<Level> level);
     /// Controls of characters and cars, for the next steps.

@@ -161,6 +161,19 @@ TEST(Level, StopsCodeThatFails) {
     EXPECT_NEAR(lines_of(outcome.out, "where").at(0)["at"][0].get<double>(), 2, 1e-3);
 }
 
+/// A level looks ahead by a copy, which steps without the level.
+TEST(Level, ACopyGoesOnWithoutTheCode) {
+    const ScratchFolder folder;
+    write(folder / "ahead.c", level("{0, 2, 0}", R"(sinew_world copy;
+    status = sinew_world_copy(world, &copy);
+    if (status == SINEW_OK) status = sinew_world_step(copy, 10);
+    if (status == SINEW_OK) status = sinew_world_close(copy);
+    if (status != SINEW_OK) return status;)"));
+    const auto outcome = play(folder, "ahead.c", "1 where ball/ball\n1 end\n");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NEAR(lines_of(outcome.out, "where").at(0)["at"][1].get<double>(), 1, 0.02);
+}
+
 /// Going back in time, and again: the memory goes with the world.
 TEST(Level, KeepsItsMemoryWithTheWorld) {
     const ScratchFolder folder;
