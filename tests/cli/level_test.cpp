@@ -161,6 +161,32 @@ TEST(Level, StopsCodeThatFails) {
     EXPECT_NEAR(lines_of(outcome.out, "where").at(0)["at"][0].get<double>(), 2, 1e-3);
 }
 
+/// So is an exception of code in C++, in a step or while it builds.
+TEST(Level, StopsCodeThatThrows) {
+    const ScratchFolder folder;
+    write(
+        folder / "throw.cpp",
+        "#include <stdexcept>\n" +
+            level("{0, 0, 0}", R"(if (*count == 30) throw std::runtime_error("no more"); if (*count > 30) throw 5;)"));
+    const auto outcome = play(folder, "throw.cpp", "2 where ball/ball\n2 end\n");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_TRUE(has(outcome.err, "throw.cpp: step: it threw: no more")) << outcome.err;
+    EXPECT_NEAR(lines_of(outcome.out, "where").at(0)["at"][0].get<double>(), 2, 1e-3);
+    write(folder / "number.cpp", R"(#include <sinew_level.h>
+static sinew_status build(sinew_world) { throw 5; }
+SINEW_LEVEL(.build = build)
+)");
+    const auto other = play(folder, "number.cpp", "1 end\n");
+    EXPECT_EQ(other.code, 1);
+    EXPECT_TRUE(has(other.err, "number.cpp: error: build: it threw")) << other.err;
+}
+
+TEST(Level, TooMuchMemoryIsRefused) {
+    const ScratchFolder folder;
+    write(folder / "much.c", "#include <sinew_level.h>\nSINEW_LEVEL(.memory = (size_t)-1)\n");
+    EXPECT_TRUE(has(play(folder, "much.c", "1 end\n").err, "much.c: error: its memory is above 1 GiB"));
+}
+
 /// A level looks ahead by a copy, which steps without the level.
 TEST(Level, ACopyGoesOnWithoutTheCode) {
     const ScratchFolder folder;

@@ -5,11 +5,14 @@
 #include "bindings/c/native/sized.h"
 #include "bindings/c/simulation.h"
 
+#include <exception>
 #include <utility>
 
 /// Sessions lent to the code of a level for the length of a call.
 namespace sinew::c {
 namespace {
+
+constexpr std::size_t max_memory = std::size_t(1) << 30; ///< bytes of a level
 
 class SharedLevel final : public Level {
   public:
@@ -64,9 +67,20 @@ class SharedLevel final : public Level {
         auto* simulation = simulations().find(handle_.id);
         if (!simulation) return stop("too many open simulations");
         auto* before = std::exchange(simulation->lent, &session);
-        const auto status = function();
+        const auto why = reason_of(function);
         simulation->lent = before;
-        if (status != SINEW_OK) stop(concat(what, ": ", reason(status)));
+        if (!why.empty()) stop(concat(what, ": ", why));
+    }
+    /// Reason of a failure of a call; empty if there is none. Code in C++ may throw.
+    template <class Call> static std::string reason_of(const Call& function) {
+        try {
+            const auto status = function();
+            return status == SINEW_OK ? std::string() : reason(status);
+        } catch (const std::exception& thrown) {
+            return concat("it threw: ", thrown.what());
+        } catch (...) {
+            return "it threw something";
+        }
     }
     static std::string reason(sinew_status status) {
         const std::string message = sinew_message();
@@ -89,6 +103,10 @@ std::shared_ptr<Level> level_of(const sinew_level* given, const std::string& nam
     sinew_level level;
     if (take(given, level) != SINEW_OK) {
         problem = sinew_message();
+        return nullptr;
+    }
+    if (level.memory > max_memory) {
+        problem = "its memory is above 1 GiB";
         return nullptr;
     }
     return std::make_shared<SharedLevel>(level, name);
