@@ -17,7 +17,7 @@ namespace {
 
 constexpr double log_of_a_notch = 0.13976194237515863; // a notch of the wheel magnifies 1.15 times
 constexpr double max_notches = 20;                     // per event
-constexpr double look_every = 0.5;                     // seconds between checks of the scene's file
+constexpr double look_every = 0.25;                    // seconds between checks of the scene's file
 
 bool follows_pointer(const PinSection& pin) {
     return pin.driver && std::holds_alternative<PointerDriver>(*pin.driver);
@@ -104,13 +104,14 @@ void Play::report_problem(std::string text) {
     tell("problem", {{"text", problem_}});
 }
 
-/// Reads the scene's file again after another program has written it.
+/// Reads the scene's file again once another program has written it: when two looks find the same time.
 void Play::look_at_file(double seconds) {
     since_look_ += seconds;
     if (path_.empty() || since_look_ < look_every) return;
     since_look_ = 0;
     const auto written = time_written(path_);
-    if (written == written_) return;
+    const bool is_settled = std::exchange(seen_, written) == written;
+    if (!is_settled || written == written_ || written == std::filesystem::file_time_type{}) return;
     written_ = written;
     if (!would_lose()) return read_again();
     if (question) return;

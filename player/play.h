@@ -268,7 +268,8 @@ class Play {
     std::vector<Override> overrides_;
     std::filesystem::path path_;   ///< the scene's own file; empty if none
     std::filesystem::path beside_; ///< file to which the paths of the scene's pictures and models are relative
-    std::filesystem::file_time_type written_{};
+    std::filesystem::file_time_type written_{}; ///< time of the version that was read
+    std::filesystem::file_time_type seen_{};    ///< time at the last look; none while there is no file
     double since_look_ = 0;
     std::vector<Pane> panes_;
     std::size_t active_ = 0;

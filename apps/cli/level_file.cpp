@@ -10,7 +10,11 @@
 #include <dlfcn.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <link.h>
 #include <unistd.h>
+#include <vector>
 
 namespace sinew::cli {
 namespace {
@@ -55,8 +59,31 @@ std::string help_for(const std::string& message) {
     return "a level is compiled by cc -shared -fPIC level.c -o level.so";
 }
 
+bool ends_within(const std::vector<char>& file, std::size_t offset, std::size_t size) {
+    return offset <= file.size() && size <= file.size() - offset;
+}
+
+/// False for the beginning of a shared object, whose compiler is at work still: memory behind its end cannot be read.
+bool is_whole(const std::string& object) {
+    std::ifstream stream(object, std::ios::binary);
+    const std::vector<char> file(std::istreambuf_iterator<char>(stream), {});
+    ElfW(Ehdr) header;
+    if (!ends_within(file, 0, sizeof header)) return true; // the dynamic linker says what it is
+    std::memcpy(&header, file.data(), sizeof header);
+    if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) return true;
+    const std::size_t size = sizeof(ElfW(Phdr));
+    if (!ends_within(file, header.e_phoff, header.e_phnum * size)) return false;
+    for (std::size_t i = 0; i < header.e_phnum; ++i) {
+        ElfW(Phdr) part;
+        std::memcpy(&part, file.data() + header.e_phoff + i * size, size);
+        if (!ends_within(file, part.p_offset, part.p_filesz)) return false;
+    }
+    return ends_within(file, header.e_shoff, std::size_t(header.e_shnum) * header.e_shentsize);
+}
+
 /// The level of a shared object, which stays in memory: functions of it may be kept anywhere, as a filter of contacts.
 const sinew_level* load(const std::string& object, const std::string& word) {
+    if (!is_whole(object)) refuse(word, "it is not whole: its end is missing");
     void* const loaded = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!loaded) {
         const auto message = linker_message(object);

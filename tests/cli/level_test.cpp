@@ -200,6 +200,25 @@ TEST(Level, ACopyGoesOnWithoutTheCode) {
     EXPECT_NEAR(lines_of(outcome.out, "where").at(0)["at"][1].get<double>(), 1, 0.02);
 }
 
+/// A linker puts a shared object in its place from the beginning to the end, or removes the old one first.
+TEST(Level, WaitsForAFileThatIsBeingWritten) {
+    const ScratchFolder folder;
+    write(folder / "rise.c", level("{0, 2, 0}"));
+    compile(folder, "rise.c", "next.so");
+    fs::copy_file(folder / "next.so", folder / "half.so");
+    fs::resize_file(folder / "half.so", fs::file_size(folder / "half.so") / 2);
+    const auto half = play(folder, "./half.so", "1 end\n");
+    EXPECT_EQ(half.code, 1);
+    EXPECT_TRUE(has(half.err, "half.so: error: it is not whole")) << half.err;
+    write(folder / "move.c", level("{0, 0, 0}", R"(if (*count == 30) remove("move.so");
+    if (*count == 200) rename("next.so", "move.so");)"));
+    compile(folder, "move.c", "move.so");
+    const auto outcome = play(folder, "./move.so", "3 where ball/ball\n6 where ball/ball\n6 end\n");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.out, "reloaded").size(), 1U);
+    EXPECT_GT(lines_of(outcome.out, "where").at(1)["at"][1].get<double>(), 1);
+}
+
 /// Going back in time, and again: the memory goes with the world.
 TEST(Level, KeepsItsMemoryWithTheWorld) {
     const ScratchFolder folder;
