@@ -5,7 +5,9 @@
 #include "apps/cli/scene_file.h"
 #include "bindings/c/native/lend.h"
 
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <dlfcn.h>
 #include <filesystem>
@@ -81,9 +83,43 @@ bool is_whole(const std::string& object) {
     return ends_within(file, header.e_shoff, std::size_t(header.e_shnum) * header.e_shentsize);
 }
 
+/// Message of a crash, made beforehand: a handler of signals allocates nothing.
+struct CrashMessage {
+    std::array<char, 512> text{};
+    std::size_t size = 0;
+} crash_message;
+
+/// Tells which level runs; the signal then ends the program.
+void tell_crash(int) {
+    std::size_t told = 0;
+    while (told < crash_message.size) {
+        const auto written = write(STDERR_FILENO, crash_message.text.data() + told, crash_message.size - told);
+        if (written <= 0) return;
+        told += std::size_t(written);
+    }
+}
+
+/// Crashes from now on name the level, unless a debugger's library tells of them.
+void name_in_crashes(const std::string& word) {
+    const auto message = error_text(word, "a crash, in the level or in what it calls",
+                                    "compile the level with -g, and run `gdb --args sinew play` with it");
+    crash_message.size = message.copy(crash_message.text.data(), crash_message.text.size());
+    static std::array<char, 1 << 16> stack; // beside one that has overflowed
+    const stack_t beside{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
+    sigaltstack(&beside, nullptr);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+        struct sigaction present = {}, wanted = {};
+        if (sigaction(signal, nullptr, &present) != 0 || present.sa_handler != SIG_DFL) continue;
+        wanted.sa_handler = tell_crash;
+        wanted.sa_flags = SA_ONSTACK | SA_RESETHAND;
+        sigaction(signal, &wanted, nullptr);
+    }
+}
+
 /// The level of a shared object, which stays in memory: functions of it may be kept anywhere, as a filter of contacts.
 const sinew_level* load(const std::string& object, const std::string& word) {
     if (!is_whole(object)) refuse(word, "it is not whole: its end is missing");
+    name_in_crashes(word);
     void* const loaded = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!loaded) {
         const auto message = linker_message(object);

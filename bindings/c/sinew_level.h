@@ -12,7 +12,8 @@
  *     cc -shared -fPIC my_level.c -o my_level.so $(pkg-config --cflags sinew-c) && sinew play ./my_level.so
  *
  * The functions of sinew.h are those of the player: a level links no library. A function that returns anything but
- * SINEW_OK is shown with sinew_message(), and is not called again until the level is compiled again. */
+ * SINEW_OK is shown with sinew_message(), one that throws with its exception, and neither is called again until the
+ * level is compiled again. A crash ends the player, which names the level. */
 #ifndef SINEW_LEVEL_H
 #define SINEW_LEVEL_H
 
@@ -43,7 +44,7 @@ typedef struct sinew_level {
     const char* scene;                        /* a scene file's text; null: an empty world with gravity */
     sinew_status (*build)(sinew_world world); /* adds to the world at its start; may be null */
     sinew_status (*step)(sinew_world world, const sinew_moment* moment); /* before each step; may be null */
-    size_t memory;
+    size_t memory;                                                       /* bytes, at most 1 GiB */
 } sinew_level;
 
 #ifdef __cplusplus

@@ -3,6 +3,7 @@
 #include "tests/paths.h"
 
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -217,6 +218,15 @@ TEST(Level, WaitsForAFileThatIsBeingWritten) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(lines_of(outcome.out, "reloaded").size(), 1U);
     EXPECT_GT(lines_of(outcome.out, "where").at(1)["at"][1].get<double>(), 1);
+}
+
+TEST(Level, IsNamedByACrash) {
+    if (sanitized) GTEST_SKIP() << "the sanitizer tells of crashes";
+    const ScratchFolder folder;
+    write(folder / "crash.c", level("{0, 0, 0}", "if (*count == 30) *(volatile int*)0 = 1;"));
+    const auto outcome = play(folder, "crash.c", "1 end\n");
+    EXPECT_EQ(outcome.code, -SIGSEGV);
+    EXPECT_TRUE(has(outcome.err, "crash.c: error: a crash, in the level or in what it calls")) << outcome.err;
 }
 
 /// Going back in time, and again: the memory goes with the world.
