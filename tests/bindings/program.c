@@ -566,11 +566,13 @@ static void files_are_bytes(void) {
     const char* name = NULL;
     const uint8_t* bytes = NULL;
     size_t size = 0;
-    CHECK(add_rope(world, "line", NULL, 0, &figure) == SINEW_OK);
+    sinew_world other;
+    CHECK(add_rope(world, "line", NULL, 0, &figure) == SINEW_OK && sinew_world_copy(world, &other) == SINEW_OK);
     CHECK(sinew_export_begin("out/line.pc2", &spec, &file) == SINEW_OK);
     CHECK(sinew_export_finish(file, &count) == SINEW_BAD_ARGUMENT);
     for (int frame = 0; frame < 5; ++frame) {
         CHECK(sinew_export_frame(file, world) == SINEW_OK);
+        CHECK(sinew_export_frame(file, other) == SINEW_BAD_ARGUMENT);
         CHECK(sinew_world_step(world, 1) == SINEW_OK);
     }
     CHECK(sinew_export_file(file, 0, &name, &bytes, &size) == SINEW_NOT_FOUND);
@@ -594,7 +596,7 @@ static void files_are_bytes(void) {
     CHECK(sinew_export_frame(file, world) == SINEW_OK);
     CHECK(sinew_export_finish(file, &count) == SINEW_OK && count == 1);
     CHECK(sinew_export_note(file, 0, &name) == SINEW_OK && strstr(name, "px") != NULL);
-    CHECK(sinew_export_close(file) == SINEW_OK);
+    CHECK(sinew_export_close(file) == SINEW_OK && sinew_world_close(other) == SINEW_OK);
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 

@@ -19,6 +19,7 @@ struct Export {
     files::ExportRequest request{};
     std::unique_ptr<files::Exporter> exporter{};              ///< from the first frame on
     std::vector<std::pair<std::string, std::string>> files{}; ///< name and bytes
+    std::uint32_t world = 0;                                  ///< handle of the simulation of the first frame
     bool is_finished = false;
 };
 
@@ -127,8 +128,11 @@ sinew_status sinew_export_frame(sinew_export handle, sinew_world simulation) {
     return with(handle, [&](Export& made) {
         return read(simulation, [&](const Simulation&, const Session& session) {
             if (made.is_finished) return fail_argument("the export is finished");
-            if (!made.exporter)
+            if (!made.exporter) {
                 if (const auto status = open(made, session)) return status;
+                made.world = simulation.id;
+            }
+            if (made.world != simulation.id) return fail_argument("the frames before are of another world");
             if (auto failure = made.exporter->frame(session)) return fail_argument(*failure);
             return SINEW_OK;
         });
