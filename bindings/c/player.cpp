@@ -111,6 +111,7 @@ namespace {
 template <class Work> sinew_status with(sinew_player handle, const Work& work) {
     auto* player = players().find(handle.id);
     if (!player) return bad_handle();
+    if (player->is_busy) return callback_is_running();
     if constexpr (std::is_void_v<decltype(work(*player))>) {
         work(*player);
         return SINEW_OK;
@@ -123,7 +124,9 @@ template <class Work> sinew_status with(sinew_player handle, const Work& work) {
 /// message does.
 template <class Work> sinew_status go_on_with(sinew_player handle, const Work& work) {
     return with(handle, [&](Player& known) {
+        known.is_busy = true;
         work(known);
+        known.is_busy = false;
         if (known.play->problem().empty()) return;
         known.play->message = known.play->problem();
         known.play->dismiss_problem();
@@ -223,7 +226,7 @@ sinew_status sinew_player_become(sinew_player player, const char* scene, const s
 }
 
 sinew_status sinew_player_close(sinew_player player) {
-    return players().remove(player.id) ? SINEW_OK : bad_handle();
+    return with(player, [&](const Player&) { players().remove(player.id); });
 }
 
 sinew_status sinew_player_world(sinew_player player, uint32_t pane, sinew_world* simulation) {

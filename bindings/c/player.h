@@ -37,6 +37,7 @@ struct Player {
     std::deque<std::string> events{};
     std::string event{};
     std::array<std::string, 7> texts{}; ///< of the last state handed out
+    bool is_busy = false;               ///< it advances: a callback of the caller's may be running
 };
 
 Handles<Player>& players();

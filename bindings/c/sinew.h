@@ -827,7 +827,8 @@ typedef void (*sinew_assertion_handler)(const char* file, int line, const char* 
 SINEW_PROGRAM_API void sinew_set_assertion_handler(sinew_assertion_handler handler);
 
 /* The caller's threads in place of the library's: calls task(task_context, i) for each i below `count` once, on any
- * threads, and returns when all calls have. Meanwhile the world that steps may be read, and not be changed. */
+ * threads, and returns when all calls have. Meanwhile the world that steps may be read, and not be changed; a player
+ * that advances is not called. */
 typedef void (*sinew_parallel)(void* context, void (*task)(void* task_context, uint32_t index), void* task_context,
                                uint32_t count);
 /* Null: the library's own threads. Results do not depend on it. */

@@ -319,6 +319,22 @@ static void threads_leave_the_world_alone(void) {
     CHECK(sinew_world_close(meddling.world) == SINEW_OK);
 }
 
+static void close_the_player_between_tasks(void* context, void (*task)(void*, uint32_t), void* task_context,
+                                           uint32_t count) {
+    const sinew_player player = *(const sinew_player*)context;
+    CHECK(sinew_player_close(player) == SINEW_READ_ONLY && sinew_player_advance(player, 1) == SINEW_READ_ONLY);
+    for (uint32_t i = 0; i < count; ++i) task(task_context, i);
+}
+static void threads_leave_the_player_alone(void) {
+    const char* scene = "{\"sinew\": 1, \"figures\": [{\"prefab\": \"cloth\", \"columns\": 100, \"rows\": 100}]}";
+    sinew_player player;
+    CHECK(sinew_player_create(scene, NULL, &player) == SINEW_OK);
+    sinew_set_parallel(close_the_player_between_tasks, &player);
+    CHECK(sinew_player_advance(player, 0.04) == SINEW_OK);
+    sinew_set_parallel(NULL, NULL);
+    CHECK(sinew_player_close(player) == SINEW_OK && sinew_player_close(player) == SINEW_BAD_HANDLE);
+}
+
 /* A cloth of 10,000 particles is worth several threads; the caller's do it to the same bits. */
 static uint64_t hash_of_a_cloth(uint32_t threads) {
     const sinew_world world = world_of_a_cloth(threads);
@@ -661,6 +677,7 @@ int main(void) {
     drawing_may_close_the_world();
     a_log_hears_of_failures_alone();
     threads_leave_the_world_alone();
+    threads_leave_the_player_alone();
     hooks_are_called();
     tasks_are_enqueued_and_finished();
     instruction_sets_agree();
