@@ -390,7 +390,8 @@ SINEW_API sinew_status sinew_world_scene_text(sinew_world world, const char** js
 /* Values that a form can show: a JSON array of {path, name, value, type, unit, low, high, choices, help}. Paths are
  * those of overrides; low, high and choices are absent where there are none. */
 SINEW_API sinew_status sinew_world_parameters(sinew_world world, const char** json);
-/* Sets one value of the running scene by an override "path=value"; figures that it does not concern go on unchanged. */
+/* Sets one value of the running scene by an override "path=value"; figures of the scene that it does not concern go on
+ * unchanged. Figures, particles and colliders that calls have added are no part of the scene, and are gone then. */
 SINEW_API sinew_status sinew_world_set(sinew_world world, const char* override_pair);
 
 /* --- edits ------------------------------------------------------------------------------------------------------- */

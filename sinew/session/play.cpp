@@ -61,7 +61,9 @@ void Session::become(Scene scene, std::shared_ptr<Level> level) {
     skip_past_events();
     find_driven();
     const auto memory = std::move(level_memory_);
+    const auto steering = steering_;
     build_level();
+    if (!level_) steering_.take_over(steering, old, world_); // code steers its own figures
     if (memory.size() == level_memory_.size()) level_memory_ = memory;
     if (level_) migrate_built({old, described}, {world_, scene_.figures.size()});
     keep_going(old);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <type_traits>
 
@@ -80,6 +81,23 @@ bool Steering::has_any(const Scene& scene) const {
 void Steering::restart() {
     set_.clear();
     known_.clear();
+}
+
+void Steering::take_over(const Steering& before, const AnyWorld& old, const AnyWorld& now) {
+    for (const auto& [figure, controls] : before.set_) {
+        std::string name;
+        std::visit(
+            [&](const auto& world) {
+                if (const auto index = figure_index(world, figure)) name = world.figures[*index].name;
+            },
+            old);
+        if (name.empty()) continue;
+        std::visit(
+            [&](const auto& world) {
+                if (const auto index = find_figure(world, name)) set(figure_id(world, *index), controls);
+            },
+            now);
+    }
 }
 
 template <class WorldT> void Steering::run_in(const Scene& scene, WorldT& world) const {

@@ -34,8 +34,10 @@ class Steering {
     std::optional<Steered> steered(const Scene& scene, const AnyWorld& world, FigureIndex figure) const;
     /// True if there is something to steer.
     bool has_any(const Scene& scene) const;
-    /// Forgets figures that the scene has not built.
+    /// Forgets figures that the scene has not built, and the program's controls.
     void restart();
+    /// Takes over the program's controls of figures in a world before, by their names.
+    void take_over(const Steering& before, const AnyWorld& old, const AnyWorld& now);
 
     /// Moves all figures for the next step.
     void run(const Scene& scene, AnyWorld& world) const;

@@ -512,6 +512,27 @@ static void controls_go_with_their_figure(void) {
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
+static void controls_outlast_an_edit_of_the_scene(void) {
+    const char* scene =
+        "{\"sinew\": 1, \"world\": {\"gravity\": [0, -10]}, \"figures\": [{\"prefab\": \"character\", "
+        "\"name\": \"hero\"}], \"colliders\": [{\"shape\": \"box\", \"size\": [90, 1], \"at\": [0, -0.5]}]}";
+    const sinew_controls controls = {.struct_size = sizeof controls, .along = 1};
+    sinew_world world;
+    sinew_particle feet;
+    sinew_particle_state state = {.velocity = {0, 0, 0}};
+    uint32_t hero;
+    CHECK(sinew_world_open(scene, NULL, &world) == SINEW_OK &&
+          sinew_world_find_figure(world, "hero", &hero) == SINEW_OK);
+    CHECK(sinew_world_steer(world, hero, &controls) == SINEW_OK && sinew_world_step(world, 60) == SINEW_OK);
+    CHECK(sinew_world_set(world, "world.damping=0.01") == SINEW_OK && sinew_world_step(world, 60) == SINEW_OK);
+    CHECK(sinew_world_find_particle(world, "hero/feet", &feet) == SINEW_OK);
+    CHECK(sinew_world_get_particle(world, feet, &state) == SINEW_OK && state.velocity[0] > 3);
+    CHECK(sinew_world_restart(world) == SINEW_OK && sinew_world_step(world, 60) == SINEW_OK);
+    CHECK(sinew_world_find_particle(world, "hero/feet", &feet) == SINEW_OK);
+    CHECK(sinew_world_get_particle(world, feet, &state) == SINEW_OK && fabs(state.velocity[0]) < 0.05);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
 /* A filter's caller: a platform that nothing touches. */
 struct level {
     sinew_world world;
@@ -684,6 +705,7 @@ int main(void) {
     memory_is_the_callers();
     figures_are_steered();
     controls_go_with_their_figure();
+    controls_outlast_an_edit_of_the_scene();
     contacts_are_filtered();
     files_are_bytes();
     other_files_are_scenes();
