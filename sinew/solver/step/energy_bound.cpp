@@ -197,8 +197,9 @@ template <int D, class Real> class EnergyBound {
     /// body whose springs gained more than that gets the shape back that it had.
     void slow_turn(std::uint32_t i) {
         const auto& island = this->island(i);
-        const double due = (island.left - island.apart) * gained(i) / island.all;
-        if (!(due > 0) || room_.bodies[i].is_held) return;
+        const double left = island.left - island.apart, own = gained(i);
+        if (!(left > 0) || !(own > 0) || room_.bodies[i].is_held) return;
+        const double due = left * (own / island.all);
         detail::BodyMotion<D, Real> motion(p_, room_.rows[i]);
         if (due <= motion.slow_turn(due) || !(room_.bodies[i].tenser > 0)) return;
         motion.put_back(room_.position);
