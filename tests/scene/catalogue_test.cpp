@@ -41,6 +41,9 @@ std::vector<SceneRun> watched_runs() {
 
 class CatalogueRun : public testing::TestWithParam<SceneRun> {};
 
+/// What is merely dropped has fallen by then, seconds.
+constexpr double settled = 1;
+
 TEST_P(CatalogueRun, RunsItsTimeWhole) {
     const auto& [name, mode, precision] = GetParam();
     auto session = open(name, mode, precision);
@@ -51,13 +54,18 @@ TEST_P(CatalogueRun, RunsItsTimeWhole) {
 
     const double size = min_size(*session, mode);
     double outside = 0;
+    Travel travel(session->scene());
     const double whole = session->scene().seconds, end = test::sanitized ? std::min(0.3, whole) : whole;
     while (session->seconds() < end) {
         session->step();
         ASSERT_TRUE(is_finite(session->world())) << "after " << session->seconds() << " seconds";
         outside = std::max(outside, distance_outside(session->world(), size));
+        if (session->seconds() > settled) travel.see(session->world());
     }
     EXPECT_LE(outside, 1);
+    if (end == whole) {
+        EXPECT_GT(travel.share(), 0.05) << "nothing to see";
+    }
     EXPECT_GT(items_on_screen(*session), 0U);
     for (const auto& happening : session->happenings()) EXPECT_NE(happening.what, "quarantined");
     if (mode == "physical" && end == whole) {

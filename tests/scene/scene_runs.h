@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -80,6 +81,44 @@ inline double rigid_strain(const AnyWorld& any) {
         },
         any);
 }
+
+/// How far particles travel from where they were first seen, as a share of the picture's height or of their extent.
+class Travel {
+  public:
+    explicit Travel(const Scene& scene) : extent_(scene.view.height.value_or(0)) {}
+
+    void see(const AnyWorld& any) {
+        std::visit([&](const auto& world) { see_positions(world.particles.position); }, any);
+    }
+
+    double share() const { return farthest_ / extent_; }
+
+  private:
+    using Place = std::array<double, 3>;
+
+    template <int D, class Real> static Place place_of(const Vec<D, Real>& point) {
+        Place place{};
+        for (int axis = 0; axis < D; ++axis) place[std::size_t(axis)] = double(point[axis]);
+        return place;
+    }
+
+    static double distance(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+    template <class Positions> void see_positions(const Positions& positions) {
+        if (first_.empty()) begin(positions);
+        std::size_t i = 0;
+        for (const auto& point : positions)
+            if (i < first_.size()) farthest_ = std::max(farthest_, distance(place_of(point), first_[i++]));
+    }
+
+    template <class Positions> void begin(const Positions& positions) {
+        for (const auto& point : positions) first_.push_back(place_of(point));
+        for (const auto& place : first_) extent_ = std::max(extent_, distance(place, first_.front()));
+    }
+
+    std::vector<Place> first_;
+    double extent_, farthest_ = 0;
+};
 
 struct SceneRun {
     std::string scene, mode, precision;
