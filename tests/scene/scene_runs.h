@@ -82,16 +82,17 @@ inline double rigid_strain(const AnyWorld& any) {
         any);
 }
 
-/// How far particles travel from where they were first seen, as a share of the picture's height or of their extent.
+/// How far particles travel from where they were first seen, as a share of the picture's height; where the scene states
+/// none, of the extent of all that can move.
 class Travel {
   public:
-    explicit Travel(const Scene& scene) : extent_(scene.view.height.value_or(0)) {}
+    explicit Travel(const Scene& scene) : height_(scene.view.height) {}
 
     void see(const AnyWorld& any) {
-        std::visit([&](const auto& world) { see_positions(world.particles.position); }, any);
+        std::visit([&](const auto& world) { see_particles(world.particles); }, any);
     }
 
-    double share() const { return farthest_ / extent_; }
+    double share() const { return farthest_ / height_.value_or(extent_); }
 
   private:
     using Place = std::array<double, 3>;
@@ -104,20 +105,22 @@ class Travel {
 
     static double distance(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-    template <class Positions> void see_positions(const Positions& positions) {
-        if (first_.empty()) begin(positions);
-        std::size_t i = 0;
-        for (const auto& point : positions)
-            if (i < first_.size()) farthest_ = std::max(farthest_, distance(place_of(point), first_[i++]));
+    template <class Particles> void see_particles(const Particles& particles) {
+        const bool is_first = first_.empty();
+        for (Row row = 0; row < particles.size(); ++row) {
+            const auto place = place_of(particles.position[row]);
+            if (is_first) first_.push_back(place);
+            if (row >= first_.size() || particles.mobility[row] == 0) continue;
+            farthest_ = std::max(farthest_, distance(place, first_[row]));
+            if (!origin_) origin_ = place;
+            if (is_first) extent_ = std::max(extent_, distance(place, *origin_));
+        }
     }
 
-    template <class Positions> void begin(const Positions& positions) {
-        for (const auto& point : positions) first_.push_back(place_of(point));
-        for (const auto& place : first_) extent_ = std::max(extent_, distance(place, first_.front()));
-    }
-
+    std::optional<double> height_;
+    std::optional<Place> origin_;
     std::vector<Place> first_;
-    double extent_, farthest_ = 0;
+    double extent_ = 0, farthest_ = 0;
 };
 
 struct SceneRun {
