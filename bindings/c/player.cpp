@@ -356,7 +356,9 @@ sinew_status sinew_player_key(sinew_player player, const char* name, uint32_t is
         auto& play = *known.play;
         if (!is_down) return play.handle(play::KeyUp{name});
         if (play.steer(name, true)) return;
-        if (is_of_scene(play.keys.action_of(name))) play.handle(play::Key{name});
+        const auto action = play.keys.action_of(name);
+        if (is_of_scene(action)) return play.handle(play::Key{name});
+        if (action == "close") play.choose({}, false); // dialogs and the way out are the host's
     });
 }
 

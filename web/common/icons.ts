@@ -38,7 +38,7 @@ const drawings: Record<string, string> = {
     help: stroke("M-.42-.45A.45 .45 0 1 1 .2-.02Q0 .1 0 .35") + dot(0, 0.75, 0.13),
     lessons: stroke("M0-.6C-.3-.85-.7-.85-.95-.75V.7C-.7 .6-.3 .6 0 .8C.3 .6 .7 .6 .95 .7V-.75C.7-.85 .3-.85 0-.6V.8"),
     close: stroke("M-.65-.65 .65 .65M.65-.65-.65 .65"),
-    home: stroke("M-.9-.45V-.9H-.45M.45-.9H.9V-.45M.9 .45V.9H.45M-.45 .9H-.9V.45") + dot(0, 0, 0.22),
+    home: stroke("M-.95 0C-.5-.85 .5-.85 .95 0C.5 .85-.5 .85-.95 0z") + dot(0, 0, 0.3),
 };
 
 export function icon(name: string): SVGSVGElement {

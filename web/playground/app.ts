@@ -37,7 +37,7 @@ export class App {
     private gallery: Gallery | undefined;
     private readonly help: HTMLDialogElement;
     private readonly films = new Films();
-    private readonly notes = new NotesList();
+    readonly notes = new NotesList();
     private toolbar: Toolbar | null = null;
     private timebar: TimeBar | null = null;
     private panel: Panel | null = null;

@@ -35,8 +35,9 @@ export function connectKeys(app: App, help: HTMLDialogElement): void {
         if (own[name]) own[name]!();
         else if (tool && name !== "delete") player.setTool(tool);
         else if (overlay) player.setOverlays(toggled(player.state().overlays, overlay));
+        else if (name === "escape" && app.notes.isOpen) app.notes.close();
         else if (name === "escape" && document.body.classList.contains("drawer")) app.openPanel(false);
-        else if (name === "delete" || ofPlayer.has(name) && !["ctrl+c", "ctrl+v", "ctrl+n", "ctrl+shift+s", "tab", "escape", "f2"].includes(name)) player.key(name);
+        else if (name === "delete" || name === "escape" || ofPlayer.has(name) && !["ctrl+c", "ctrl+v", "ctrl+n", "ctrl+shift+s", "tab", "f2"].includes(name)) player.key(name);
         else return;
         event.preventDefault();
         app.changed();

@@ -14,6 +14,14 @@ export class NotesList {
         document.body.append(this.dialog);
     }
 
+    get isOpen(): boolean {
+        return this.dialog.open;
+    }
+
+    close(): void {
+        this.dialog.close();
+    }
+
     show(name: string, notes: Imported["notes"]): void {
         this.dialog.close();
         if (notes.length === 0) return;

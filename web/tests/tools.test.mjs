@@ -46,6 +46,57 @@ test("every tool has an icon of its own", () =>
         }
     }));
 
+test("no two icons of the bar look alike", () =>
+    site.on(desktop, "#scene=rope", async (page) => {
+        await playing(page);
+        const drawn = await page.locator("#tools .icon").evaluateAll((all) => Promise.all(all.map(async (svg) => {
+            const own = svg.cloneNode(true);
+            own.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+            own.innerHTML = `<style>* { fill: none; stroke: #000; stroke-width: 0.19 } .fill { fill: #000; stroke: none }</style>${svg.innerHTML}`;
+            const image = new Image(36, 36);
+            image.src = `data:image/svg+xml,${encodeURIComponent(own.outerHTML)}`;
+            await image.decode();
+            const pen = new OffscreenCanvas(36, 36).getContext("2d");
+            pen.drawImage(image, 0, 0, 36, 36);
+            const { data } = pen.getImageData(0, 0, 36, 36), ink = [];
+            for (let i = 3; i < data.length; i += 4) ink.push(data[i] > 127);
+            return { name: svg.parentNode.title.split("  ")[0], ink };
+        })));
+        for (const [i, a] of drawn.entries()) for (const b of drawn.slice(i + 1)) {
+            const [both, either] = a.ink.reduce(([both, either], on, at) => [both + (on && b.ink[at]), either + (on || b.ink[at])], [0, 0]);
+            assert.ok(both < 0.6 * either, `${a.name} and ${b.name} share ${(100 * both / either).toFixed(0)} % of their ink`);
+        }
+    }));
+
+test("Escape unchooses; without a choice it does nothing", () =>
+    site.on(desktop, "", async (page) => {
+        await begin(page);
+        await tool(page, "select");
+        await page.mouse.click(...await middleOf(page, "left"));
+        await page.keyboard.press("Escape");
+        await page.keyboard.press("Delete");
+        assert.equal((await scene(page)).figures.length, 2, "nothing is chosen");
+        await page.keyboard.press("Escape");
+        await page.mouse.click(...await middleOf(page, "left"));
+        await page.keyboard.press("Delete");
+        assert.deepEqual((await scene(page)).figures.map(({ name }) => name), ["right"]);
+    }));
+
+test("every word of the panel fits its button, at the joint tool too", () =>
+    site.on(desktop, "", async (page) => {
+        await begin(page);
+        await tool(page, "join");
+        for (const button of await page.locator("#side button:visible").all()) {
+            const over = await button.evaluate((own) => {
+                const words = document.createRange(), { right } = own.getBoundingClientRect();
+                const page = own.closest(".page, .head, #side"), edge = page.getBoundingClientRect().right - parseFloat(getComputedStyle(page).paddingRight);
+                words.selectNodeContents(own);
+                return Math.max(words.getBoundingClientRect().right - right, right - edge);
+            });
+            assert.ok(over <= 0.5, `${await button.textContent()} sticks out by ${over}`);
+        }
+    }));
+
 test("select chooses with shift, carries, copies and deletes", () =>
     site.on(desktop, "", async (page) => {
         await begin(page);

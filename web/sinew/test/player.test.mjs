@@ -42,6 +42,18 @@ test("a drag moves the world, and a throw is told", () => {
     assert.deepEqual(player.events().map(({ what }) => what).filter((what) => what !== "scene"), ["grab", "let_go"]);
 });
 
+test("escape unchooses, and leaves the host alone", () => {
+    const player = playing();
+    const figures = () => player.simulation.figures().length;
+    player.do("choose_all");
+    player.key("escape");
+    player.key("delete");
+    assert.equal(figures(), 1);
+    player.do("choose_all");
+    player.key("delete");
+    assert.equal(figures(), 0);
+});
+
 test("the tool cut parts, undo joins, redo parts again", () => {
     const player = playing();
     player.setTool("cut");
