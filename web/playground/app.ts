@@ -147,7 +147,7 @@ export class App {
         this.stage!.player.pause(false);
         this.panel!.text.opened(opened.text);
         this.rescan();
-        this.panel!.introduce(opened.name, opened.about, opened.source, this.mode);
+        this.panel!.introduce(opened);
         this.refresh();
         this.hint();
     }
@@ -189,8 +189,6 @@ export class App {
         const { player } = this.stage!;
         this.split(mode === "both");
         if (mode !== "both" && mode !== this.mode) player.do("mode");
-        this.rescan();
-        this.panel?.introduce(this.opened!.name, this.opened!.about, this.opened!.source, this.mode);
         this.changed();
     }
 

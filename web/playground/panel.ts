@@ -23,7 +23,7 @@ export interface PanelActions {
 export class Panel {
     private readonly root = byId("side");
     private readonly title = el("h1", {});
-    private readonly about = el("p", { class: "about" });
+    private readonly about = el("p", { class: "about", onclick: () => this.about.classList.toggle("whole") });
     private readonly mode: Segments;
     private readonly look: Segments;
     private readonly pages = {} as Record<Tab, HTMLElement>;
@@ -36,6 +36,8 @@ export class Panel {
     private readonly facts = el("dl", { class: "facts" });
     private readonly graphs = new Graphs();
     readonly text: TextTab;
+    private said: SceneWords = { name: "", about: "", source: "" };
+    private saidMode = "";
     private tab: Tab = "parameters";
 
     constructor(private readonly engine: Engine, private readonly stage: Stage, private readonly actions: PanelActions) {
@@ -129,24 +131,34 @@ export class Panel {
         if (message) this.pages.parameters.prepend(el("p", { class: "problem", role: "alert" }, message));
     }
 
-    /** What another scene says of itself. */
-    introduce(name: string, about: string, source: string, mode: string): void {
-        this.title.textContent = words(name).replace(/^./, (letter) => letter.toUpperCase());
-        const [physical = "", classic = ""] = about.split(/ ?Classic: /);
-        this.about.replaceChildren(mode === "classic" && classic ? classic.replace(/^./, (letter) => letter.toUpperCase()) : physical, source ? el("small", {}, source) : "");
+    /** What another scene says of itself; `show` tells what belongs to the mode. */
+    introduce({ name, about, source }: SceneWords): void {
+        this.title.textContent = words(name).replace(/^./, capital);
+        this.said = { name, about, source };
+        this.saidMode = "";
         this.graphs.clear();
         this.graphs.paint();
         this.problem("");
     }
 
     show(state: PlayerState, mode: string): void {
-        this.mode.choose(state.panes > 1 ? "both" : mode);
+        const shown = state.panes > 1 ? "both" : mode;
+        this.mode.choose(shown);
+        this.say(shown);
         this.look.choose(theme());
         for (const [name, chip] of this.overlays) chip.setAttribute("aria-pressed", String(state.overlays.includes(name)));
         this.prefab.hidden = state.tool !== "spawn";
         this.joint.hidden = state.tool !== "join";
         this.chosen.hidden = state.tool !== "select";
         if (state.tool === "spawn" && !this.prefab.hasChildNodes()) this.fillPrefab();
+    }
+
+    private say(mode: string): void {
+        if (mode === this.saidMode) return;
+        this.saidMode = mode;
+        const { about, source } = this.said, [physical = "", classic = ""] = about.split(/ ?Classic: /);
+        const own = mode === "both" ? about : mode === "classic" && classic ? classic.replace(/^./, capital) : physical;
+        this.about.replaceChildren(own, source ? el("small", {}, source) : "");
     }
 
     showParameters(parameters: SceneParameter[]): void {
@@ -226,6 +238,14 @@ export class Panel {
         this.actions.changed();
     }
 }
+
+interface SceneWords {
+    name: string;
+    about: string;
+    source: string;
+}
+
+const capital = (letter: string): string => letter.toUpperCase();
 
 interface SceneDocument {
     figures?: { name?: string; prefab?: string }[];

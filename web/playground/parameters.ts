@@ -42,14 +42,14 @@ export class ParameterForm {
     }
 
     private field(parameter: SceneParameter): HTMLElement {
-        const { name, unit, help, type } = parameter;
-        const label = el("span", { class: "label", title: help }, words(name), unit && el("small", {}, unit));
+        const { unit, help, type } = parameter;
+        const label = el("span", { class: "label", title: help }, labelOf(parameter), unit && el("small", {}, unit));
         return el("div", { class: `field ${type}` }, label, this.control(parameter));
     }
 
     private control(parameter: SceneParameter): HTMLElement {
-        const { path, value, type, choices, help, name } = parameter;
-        const tip = { title: help, "aria-label": `${words(this.groupOf(path))} ${words(name)}` };
+        const { path, value, type, choices, help } = parameter, name = labelOf(parameter);
+        const tip = { title: help, "aria-label": `${words(this.groupOf(path))} ${name}` };
         if (type === "truth") {
             const box = el("input", { ...tip, type: "checkbox", onchange: () => this.set(path, box.checked, false) });
             box.checked = value === true;
@@ -62,23 +62,23 @@ export class ParameterForm {
         }
         if (type === "point" && Array.isArray(value)) {
             const now = [...value];
-            return el("div", { class: "point" }, ...now.map((one, i) => this.slider({ ...parameter, value: one, name: `${name} ${"xyz"[i]}` }, Math.max(...now.map(Math.abs)),
+            return el("div", { class: "point" }, ...now.map((one, i) => this.slider({ ...parameter, value: one }, `${name} ${"xyz"[i]}`, Math.max(...now.map(Math.abs)),
                 (next, goesOn) => {
                     now[i] = next;
                     this.set(path, [...now], goesOn);
                 })));
         }
-        if (typeof value === "number") return this.slider(parameter, Math.abs(value), (next, goesOn) => this.set(path, next, goesOn));
+        if (typeof value === "number") return this.slider(parameter, name, Math.abs(value), (next, goesOn) => this.set(path, next, goesOn));
         const text = el("input", { ...tip, type: "text", value: String(value), onchange: () => this.set(path, text.value, false) });
         return text;
     }
 
     /** A slider and the same number as text. */
-    private slider(parameter: SceneParameter, size: number, set: (value: number, goesOn: boolean) => void): HTMLElement {
+    private slider(parameter: SceneParameter, name: string, size: number, set: (value: number, goesOn: boolean) => void): HTMLElement {
         const [low, high] = rangeOf(parameter, size);
         const whole = parameter.type === "integer";
         const step = whole ? 1 : niceStep((high - low) / 200);
-        const label = `${words(this.groupOf(parameter.path))} ${words(parameter.name)}`;
+        const label = `${words(this.groupOf(parameter.path))} ${name}`;
         const range = el("input", { type: "range", min: low, max: high, step, value: parameter.value as number, "aria-label": label, title: parameter.help });
         const text = el("input", { type: "number", step: "any", value: number(parameter.value as number), "aria-label": `${label}, exact`, min: parameter.low, max: parameter.high });
         const shade = (): void => range.style.setProperty("--share", `${(100 * (Number(range.value) - low)) / (high - low)}%`);
@@ -102,6 +102,11 @@ export class ParameterForm {
     }
 }
 
+/** "contact figures" of "figures.bob.contact.figures": the name, and the section of the group that it is in. */
+function labelOf({ path, name }: SceneParameter): string {
+    const [first, ...rest] = path.split("."), sections = rest.slice(first === "figures" ? 1 : 0, -1).filter((one) => !/^\d+$/.test(one));
+    return words([...sections, name].join(" "));
+}
 
 /** Ends of a slider: the declared range where it is narrow, else around the value of `size`. */
 function rangeOf({ low, high, type, value }: SceneParameter, size: number): [number, number] {

@@ -1,5 +1,5 @@
 import type { Engine, PlayerState } from "../sinew/index.js";
-import { byId, el } from "../common/dom.js";
+import { byId, el, words } from "../common/dom.js";
 import { icon } from "../common/icons.js";
 import type { Stage } from "../common/stage.js";
 
@@ -60,7 +60,7 @@ export class Toolbar {
     }
 
     private label(button: HTMLButtonElement, word: string, what: string, key: string): void {
-        const tip = `${word}${what ? ` ${what}` : ""}  (${key})`;
+        const tip = `${word}${what ? ` ${words(what)}` : ""}  (${key})`;
         if (button.title === tip) return;
         button.title = tip;
         button.setAttribute("aria-label", tip);

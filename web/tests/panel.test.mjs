@@ -29,6 +29,30 @@ test("every number that a scene states has a slider, which sets it", () =>
         assert.equal(await value(page, "world.damping"), 0.125);
     }));
 
+test("labels name what a value belongs to, in words", () =>
+    site.on(desktop, "#scene=dress", async (page) => {
+        await playing(page);
+        for (const label of await page.locator("#page-parameters .label, #tools button").all())
+            assert.doesNotMatch(await label.textContent() + (await label.getAttribute("aria-label") ?? ""), /_/);
+        const slider = page.getByRole("slider", { name: "skirt contact wall friction", exact: true });
+        await slider.focus();
+        await page.keyboard.press("ArrowRight");
+        await page.getByRole("button", { name: /^undo .*wall friction/ }).waitFor();
+    }));
+
+test("what is said of a scene is that of the mode shown, of both for both, by keys too", () =>
+    site.on(desktop, "#scene=rally", async (page) => {
+        await playing(page);
+        const about = page.locator("#side .about");
+        const [physical, classic] = [/motor on each axle/, /the land is tilted/i];
+        for (const [key, shown, hidden] of [["", physical, classic], ["c", classic, physical], ["e", physical, null], ["e", classic, physical], ["c", physical, classic]]) {
+            if (key) await page.keyboard.press(key);
+            await page.waitForFunction(([shown, flags]) => new RegExp(shown, flags).test(document.querySelector("#side .about").textContent), [shown.source, shown.flags]);
+            if (hidden) assert.doesNotMatch(await about.textContent(), hidden);
+            else assert.match(await about.textContent(), classic);
+        }
+    }));
+
 test("a value out of range is refused in words, and the scene goes on", () =>
     site.on(desktop, "#scene=rope", async (page) => {
         await playing(page);
