@@ -9,7 +9,7 @@ const pointer = {
     wheel: "zooms about the pointer",
     "one finger": "is the pointer with its left button",
     "two fingers": "move and zoom",
-    "arrow keys": "move a pointer over the scene; Enter presses, and lets go",
+    "arrow keys": "move a pointer over the scene; Enter presses, and lets go. Where there is a character or a car, they steer it; space jumps or brakes, h holds on",
 };
 const ofPage = new Set(["open", "new", "save_as", "copy", "paste", "panel", "settings", "close", "free_running"]);
 
@@ -23,7 +23,7 @@ export function helpDialog(engine: Engine): HTMLDialogElement {
         el("div", { class: "columns" },
             el("dl", {}, ...Object.entries(pointer).flatMap(([key, about]) => row(key, about)),
                 ...engine.tools().flatMap(({ name, key, about }) => row(key, `${name}: ${about}`))),
-            el("dl", {}, ...actions.flatMap(({ key, about }) => row(key, about)), ...row("1 to 6", "overlays"), ...row("tab", "to the next bar, arrow keys within"))));
+            el("dl", {}, ...actions.flatMap(({ key, about }) => row(key, about)), ...row("1 to 6", "overlays"), ...row("escape", "chooses nothing, or closes the panel of a narrow page"), ...row("tab", "to the next bar, arrow keys within"))));
     dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
     document.body.append(dialog);
     return dialog;

@@ -160,3 +160,29 @@ test("both modes run side by side, and classic alone", () =>
         assert.equal(await page.getByRole("radio", { name: /^classic/ }).getAttribute("aria-checked"), "true");
         await page.waitForFunction(() => location.hash.includes("mode=classic"), null, { timeout: 5000 });
     }));
+
+test("arrow keys steer a car and a character, with and without the focus on the scene, until they are let go", { timeout: 90_000 }, async () => {
+    for (const [scene, particle] of [["rally", "car/rear_wheel"], ["platformer", "hero/feet"]])
+        await site.on(desktop, `#scene=${scene}`, async (page) => {
+            await playing(page);
+            for (const isFocused of [false, true]) {
+                await page.evaluate((isFocused) => {
+                    window.sinew.stage.player.restart();
+                    if (isFocused) document.getElementById("stage").focus();
+                    else document.activeElement.blur();
+                }, isFocused);
+                const [start] = await positionOf(page, particle);
+                await page.keyboard.down("ArrowLeft");
+                await steps(page, 30);
+                const [x] = await positionOf(page, particle);
+                assert.ok(x < start - 0.05, `${scene}, ${isFocused}: from ${start} to ${x}`);
+                await page.keyboard.up("ArrowLeft");
+            }
+        });
+    await site.on(desktop, "#scene=rope", async (page) => {
+        await still(page);
+        await page.locator("#stage").focus();
+        await page.keyboard.press("ArrowLeft");
+        assert.ok(await page.evaluate(() => window.sinew.stage.pointer.cross), "elsewhere they move a pointer");
+    });
+});
