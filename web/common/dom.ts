@@ -37,11 +37,13 @@ export function debounced(milliseconds: number, action: () => void): () => void 
     };
 }
 
-/** Shows a line over the page for four seconds; screen readers say it. */
+const readingTime = 70; // milliseconds a letter
+
+/** Shows a line over the page for four seconds, a long one until it can be read; screen readers say it. */
 export function announce(text: string): void {
     const line = byId("message");
     line.textContent = text;
     line.classList.toggle("shown", text !== "");
     clearTimeout(Number(line.dataset.timer));
-    line.dataset.timer = String(window.setTimeout(() => line.classList.remove("shown"), 4000));
+    line.dataset.timer = String(window.setTimeout(() => line.classList.remove("shown"), Math.max(4000, readingTime * text.length)));
 }

@@ -1,4 +1,4 @@
-import { SceneErrors, type CatalogueScene, type Engine } from "../sinew/index.js";
+import { SceneErrors, type CatalogueScene, type Engine, type SceneError } from "../sinew/index.js";
 import { readAddress, type Address } from "../common/address.js";
 import { announce, byId, debounced, el, words } from "../common/dom.js";
 import { loadScenes, provide, sceneText, type Assets } from "../common/engine.js";
@@ -375,6 +375,12 @@ function aboutOf(text: string): { about: string; source: string } {
 }
 
 function messageOf(error: unknown): string {
-    if (error instanceof SceneErrors) return error.errors.map(({ line, message, isOverride, source }) => isOverride ? `${source}: ${message}` : `line ${line}: ${message}`).slice(0, 3).join("; ");
+    if (error instanceof SceneErrors) return error.errors.slice(0, 3).map(placed).join("; ");
     return error instanceof Error ? error.message : String(error);
+}
+
+/** A mistake with its place: a line of the file, or a pair of the address; with the nearest name where one is meant. */
+function placed({ line, message, help, isOverride, text }: SceneError): string {
+    const meant = /^did you mean "[^"]*"\?/.exec(help)?.[0], pair = /^ *1 \| (.*)$/m.exec(text)?.[1] ?? "";
+    return `${isOverride ? `in the address, ${pair}` : `line ${line}`}: ${message}${meant ? `; ${meant}` : ""}`;
 }

@@ -272,3 +272,17 @@ async function weighed(site, address) {
 
 /** The goal is 600; the module alone weighs 755. docs/measured/web.md tells the rest. */
 const most = 850, mostOfGallery = 900;
+
+test("a mistake in an address and in a file is told in the page's words, with the name that was meant", { timeout: 60_000 }, async () => {
+    await site.on(desktop, "#scene=rope&figures.line.segmants=3", async (page) => {
+        const told = page.locator("#message.shown");
+        await told.waitFor();
+        assert.equal(await told.textContent(), 'in the address, figures.line.segmants=3: unknown property "segmants"; did you mean "segments"?');
+    });
+    await site.on(desktop, "#scene=rope", async (page) => {
+        await playing(page);
+        await page.evaluate(() => window.sinew.openText('{"sinew": 1,\n "figurs": []}', "mine"));
+        assert.match(await page.locator("#message.shown").textContent(), /^line 2: unknown property "figurs"; did you mean "figures"\?/);
+        assert.equal(await page.evaluate(() => window.sinew.opened.name), "rope");
+    });
+});
