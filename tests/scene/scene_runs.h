@@ -110,10 +110,10 @@ class Travel {
         for (Row row = 0; row < particles.size(); ++row) {
             const auto place = place_of(particles.position[row]);
             if (is_first) first_.push_back(place);
-            if (row >= first_.size() || particles.mobility[row] == 0) continue;
-            farthest_ = std::max(farthest_, distance(place, first_[row]));
+            if (row < first_.size()) farthest_ = std::max(farthest_, distance(place, first_[row]));
+            if (!is_first || particles.mobility[row] == 0) continue;
             if (!origin_) origin_ = place;
-            if (is_first) extent_ = std::max(extent_, distance(place, *origin_));
+            extent_ = std::max(extent_, distance(place, *origin_));
         }
     }
 
