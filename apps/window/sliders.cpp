@@ -162,6 +162,13 @@ class Form {
     }
 };
 
+/// False, too, for what is no prefab.
+bool exists_in(int dimension, std::string_view name) {
+    const auto included = [&]<class Prefab>(const Prefab&) { return Prefab::dimensions.include(dimension); };
+    const auto prefab = make_prefab(name);
+    return prefab && std::visit(included, *prefab);
+}
+
 } // namespace
 
 void sliders(play::Play& play, const Look& look, const Fonts& fonts) {
@@ -203,7 +210,8 @@ void prefab_form(play::Play& play, const Look& look) {
     if (ImGui::BeginCombo("##prefab", play.prefab.c_str())) {
         for (const auto& one : made->parts) {
             const std::string name(one.name);
-            if (name == ByHand::name || !ImGui::Selectable(name.c_str(), name == play.prefab)) continue;
+            if (!exists_in(play.session().scene().dimension, name)) continue;
+            if (!ImGui::Selectable(name.c_str(), name == play.prefab)) continue;
             play.prefab = name;
             play.prefab_parameters.clear();
         }

@@ -1,5 +1,6 @@
 #include "sinew/constraint/kind_table.h"
 #include "sinew/picture/overlay.h"
+#include "sinew/prefab/prefabs.h"
 #include "sinew/scene/parameters.h"
 #include "sinew/scene/text.h"
 
@@ -21,6 +22,17 @@ json::Value schema() {
     return schema_of(scene_layout(), "Sinew scene", true);
 }
 
+/// Dimensions of the worlds in which a prefab can be built.
+json::Array dimensions_of(std::string_view prefab) {
+    json::Array all;
+    const auto add = [&]<class Prefab>(const Prefab&) {
+        for (const int dimension : {2, 3})
+            if (Prefab::dimensions.include(dimension)) all.push_back(dimension);
+    };
+    if (const auto made = make_prefab(prefab)) std::visit(add, *made);
+    return all;
+}
+
 json::Value prefabs() {
     json::Array all;
     const auto& parts = figure_layout().parts;
@@ -28,7 +40,10 @@ json::Value prefabs() {
         std::find_if(parts.begin(), parts.end(), [](const Layout& part) { return part.type == Layout::Type::choice; });
     for (const auto& one : made->parts)
         if (one.name != ByHand::name)
-            all.push_back(json::Object{{"name", one.name}, {"about", one.about}, {"parameters", parameters_of(one)}});
+            all.push_back(json::Object{{"name", one.name},
+                                       {"about", one.about},
+                                       {"dimensions", dimensions_of(one.name)},
+                                       {"parameters", parameters_of(one)}});
     return all;
 }
 

@@ -355,7 +355,7 @@ export class App {
 
 const blankScene = `{
   "sinew": 1,
-  "about": "A room with nothing in it yet: draw a rope, a polygon or a cloth, spawn a figure, or write one here.",
+  "about": "A room with a box in it: draw a rope, a polygon or a cloth, spawn a figure, or write one here.",
   "units": {"length": "px", "time": "s", "up": "-y"},
   "view": {"size": [640, 480], "center": [320, 240], "height": 480},
   "world": {"gravity": [0, 700], "bounds": {"box": [[10, 10], [630, 470]], "bounce": 0.4, "friction": 0.4}},

@@ -30,6 +30,7 @@ export class Panel {
     private readonly heads = {} as Record<Tab, HTMLButtonElement>;
     private readonly form: ParameterForm;
     private readonly prefab = el("div", { class: "prefab", hidden: true });
+    private prefabDimension = 0;
     private readonly joint: HTMLElement;
     private readonly chosen: HTMLElement;
     private readonly overlays = new Map<string, HTMLButtonElement>();
@@ -150,7 +151,7 @@ export class Panel {
         this.prefab.hidden = state.tool !== "spawn";
         this.joint.hidden = state.tool !== "join";
         this.chosen.hidden = state.tool !== "select";
-        if (state.tool === "spawn" && !this.prefab.hasChildNodes()) this.fillPrefab();
+        if (state.tool === "spawn") this.fillPrefab();
     }
 
     private say(mode: string): void {
@@ -167,16 +168,20 @@ export class Panel {
         this.form.show(parameters, (path) => states(document, path.split(".")), figures);
     }
 
-    /** Choice of what the spawn tool puts in. */
+    /** Choice of what the spawn tool puts in: what exists in the scene's dimension. */
     private fillPrefab(): void {
+        const { dimension } = this.stage.player.simulation;
+        if (this.prefabDimension === dimension) return;
+        this.prefabDimension = dimension;
         const about = el("small", { class: "faint" });
-        const all = this.engine.prefabs().filter(({ name }) => name !== "by_hand");
-        const list = el("select", { id: "prefab", onchange: () => choose() }, ...all.map(({ name }) => el("option", { value: name, selected: name === "box" }, words(name))));
+        const all = this.engine.prefabs().filter(({ dimensions }) => dimensions.includes(dimension));
+        const before = this.prefab.querySelector("select")?.value, chosen = all.some(({ name }) => name === before) ? before : "box";
+        const list = el("select", { id: "prefab", onchange: () => choose() }, ...all.map(({ name }) => el("option", { value: name, selected: name === chosen }, words(name))));
         const choose = (): void => {
             this.stage.player.setPrefab(list.value);
             about.textContent = all.find(({ name }) => name === list.value)?.about ?? "";
         };
-        this.prefab.append(el("label", { for: "prefab" }, "prefab "), list, about);
+        this.prefab.replaceChildren(el("label", { for: "prefab" }, "prefab "), list, about);
         choose();
     }
 

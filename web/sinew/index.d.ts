@@ -217,7 +217,7 @@ export interface Engine {
     check(scene: string | object, options?: OpenOptions): SceneError[];
     /** JSON Schema of scene files, for an editor's completion. */
     schema(): object;
-    prefabs(): { name: string; about: string; parameters: SceneParameter[] }[];
+    prefabs(): { name: string; about: string; dimensions: (2 | 3)[]; parameters: SceneParameter[] }[];
     overlays(): { name: string; about: string }[];
     tools(): { name: string; key: string; about: string }[];
     /** Joints of the tool "join". */

@@ -116,6 +116,8 @@ test("a new scene and a file open from the gallery", { timeout: 60_000 }, () =>
         await page.getByRole("button", { name: "new scene" }).click();
         await playing(page);
         assert.equal(await page.evaluate(() => window.sinew.opened.name), "new scene");
+        assert.match(await page.locator("#side .about").textContent(), /^A room with a box in it/);
+        assert.deepEqual(await page.evaluate(() => window.sinew.stage.player.simulation.figures().map(({ name }) => name)), ["box"]);
         const text = await page.evaluate(() => window.sinew.stage.player.sceneText());
         await page.getByRole("link", { name: "scenes", exact: true }).click();
         const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.getByRole("button", { name: "open a file" }).click()]);

@@ -181,3 +181,24 @@ test("space is pause, after a press of any button too", () =>
         await page.keyboard.press("Space");
         assert.ok((await state(page)).isPaused, "a button with the focus of keys is pressed by space");
     }));
+
+test("the spawn tool offers what exists in the scene's dimension, and puts in each of it", { timeout: 90_000 }, () =>
+    site.on(desktop, "", async (page) => {
+        await begin(page);
+        for (const [dimension, more] of [[2, {}], [3, { dimension: 3, view: {} }]]) {
+            const floor = { world: { gravity: [0, -9.81, 0].slice(0, dimension) } }, figures = two.figures.map((figure) => ({ ...figure, at: [...figure.at, 0].slice(0, dimension) }));
+            await page.evaluate((text) => window.sinew.openText(text, "two"), JSON.stringify({ ...two, ...floor, figures, ...more }));
+            await page.evaluate(() => window.sinew.stage.player.pause());
+            await tool(page, "spawn");
+            const offered = await page.locator("#prefab option").evaluateAll((all) => all.map(({ value }) => value));
+            assert.equal(offered.includes("jelly"), dimension === 3);
+            assert.equal(offered.includes("car"), dimension === 2);
+            const { x, y, width, height } = await page.locator("#stage").boundingBox();
+            for (const name of offered.filter((one) => one !== "mesh")) {
+                await page.locator("#prefab").selectOption(name);
+                await page.mouse.click(x + width / 2, y + height / 2);
+                assert.equal((await scene(page)).figures.length, 3, `${name} in ${dimension}D: ${(await state(page)).message}`);
+                await page.keyboard.press("Control+z");
+            }
+        }
+    }));

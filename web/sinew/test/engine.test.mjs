@@ -79,6 +79,11 @@ test("text that is no JSON is refused with its place", () => {
 
 test("descriptions are complete", () => {
     assert.ok(engine.schema().properties.figures);
+    for (const { name, dimensions } of engine.prefabs()) for (const dimension of [2, 3]) {
+        const build = () => engine.open({ sinew: 1, dimension, figures: [{ prefab: name, name }] }).dispose();
+        if (!dimensions.includes(dimension)) assert.throws(build, /does not exist/, `${name} in ${dimension}D`);
+        else if (name !== "mesh") build();
+    }
     assert.ok(engine.prefabs().some(({ name, parameters }) => name === "rope" && parameters.some((one) => one.path === "length" && one.low >= 0)));
     assert.deepEqual(engine.overlays().map(({ name }) => name), ["strain", "tension", "pins", "names", "forces", "contacts"]);
     assert.ok(engine.tools().some(({ name, key }) => name === "cut" && key === "x"));
