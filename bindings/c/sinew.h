@@ -140,8 +140,9 @@ SINEW_API sinew_status sinew_world_save(sinew_world world, const uint8_t** bytes
 SINEW_API sinew_status sinew_world_load(const uint8_t* bytes, size_t size, const sinew_open_options* options,
                                         sinew_world* world);
 
-/* JSON text about the engine. `topic`: "schema" (JSON Schema of a scene), "prefabs" (name, about, dimensions, parameters),
- * "kinds" (of constraints, in 2D and 3D), "overlays", "tools", "joints", "actions" (of a player, with their keys). */
+/* JSON text about the engine. `topic`: "schema" (JSON Schema of a scene), "prefabs" (name, about, dimensions,
+ * parameters), "kinds" (of constraints, in 2D and 3D), "overlays", "tools", "joints", "actions" (of a player, with
+ * their keys). */
 SINEW_API sinew_status sinew_describe(const char* topic, const char** json);
 
 /* Memory for texts and arrays, which the page writes into a module. */
