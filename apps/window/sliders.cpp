@@ -162,7 +162,7 @@ class Form {
     }
 };
 
-/// False, too, for what is no prefab.
+/// False, too, for a name of no prefab.
 bool exists_in(int dimension, std::string_view name) {
     const auto included = [&]<class Prefab>(const Prefab&) { return Prefab::dimensions.include(dimension); };
     const auto prefab = make_prefab(name);
