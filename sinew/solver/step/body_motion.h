@@ -50,8 +50,7 @@ template <int D, class Real> class BodyMotion {
         const double keep = square_root(1 - taken / there);
         for (const Row row : rows_) {
             const auto center = origin_ + whole_.center;
-            p_.position[row] = cast<Real>(center + arm(row) * (1 / keep));
-            p_.residual[row] = {};
+            place(row, center + arm(row) * (1 / keep));
             p_.velocity[row] = cast<Real>(whole_.velocity + (cast<double>(p_.velocity[row]) - whole_.velocity) * keep);
         }
         return taken;
@@ -72,8 +71,7 @@ template <int D, class Real> class BodyMotion {
     void put_back(std::span<const Vec<D, Real>> before) {
         const auto way = moments(p_.position).center - moments(before).center;
         for (const Row row : rows_) {
-            p_.position[row] = clamp_components(cast<Real>(cast<double>(before[row]) + way), limit::coordinate<Real>);
-            p_.residual[row] = {};
+            place(row, cast<double>(before[row]) + way);
         }
     }
 
@@ -84,6 +82,10 @@ template <int D, class Real> class BodyMotion {
     CentralMoments<D> whole_;
     Spin rate_;
 
+    void place(Row row, const Vector& at) const {
+        p_.position[row] = clamp_components(cast<Real>(at), limit::coordinate<Real>);
+        p_.residual[row] = {};
+    }
     Vector arm(Row row) const { return cast<double>(p_.position[row]) - origin_ - whole_.center; }
     CentralMoments<D> moments(std::span<const Vec<D, Real>> places) const {
         Moments<D> sums;

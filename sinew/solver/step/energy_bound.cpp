@@ -193,7 +193,7 @@ template <int D, class Real> class EnergyBound {
         });
         each([&](std::uint32_t i) { slow_turn(i); });
     }
-    /// Takes what is left even so from the rotation of the bodies of an island: an unfinished sweep has turned them. A
+    /// Takes the rest from the rotation of the bodies of an island: an unfinished sweep has turned them. A
     /// body whose springs gained more than that gets the shape back that it had.
     void slow_turn(std::uint32_t i) {
         const auto& island = this->island(i);

@@ -1,6 +1,7 @@
 #include "sinew/solver/phases.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,13 @@ template <int D, class Real> void mark_held(const World<D, Real>& world, std::ve
             for (const Row member : table.members[row]) is_held[member] = 1;
     });
 }
+
+/// The vector times a factor, components within +-max: nothing overflows on the way.
+template <class Vector, class Real> Vector product(const Vector& vector, Real factor, Real max) {
+    return clamp_components(vector, max / factor) * factor;
+}
+
+template <class Real> constexpr Real most_turned = Real(1e6); ///< radians a step, whose square is finite
 
 template <int D, class Real> void turn_on(Particles<D, Real>& p, Row row, const Vec<spins<D>, Real>& angle) {
     if (angle == Vec<spins<D>, Real>{}) return;
@@ -72,13 +80,14 @@ template <int D, class Real> void end_rolling(World<D, Real>& world, Solver<D, R
         if (p.quarantined[row] || p.asleep[row]) continue;
         const Row slot = state.slot_of[row];
         if (slot >= state.size() || p.mobility[row] == Real(0)) {
-            turn_on(p, row, p.spin[row] * dt);
+            turn_on(p, row, product(p.spin[row], dt, most_turned<Real>));
             continue;
         }
         const auto& roller = state.rollers[slot];
-        const auto spin = roller.rim * (state.per_h / p.radius[row]);
-        p.spin.set(row, is_finite(spin) ? clamp_components(spin, limit::speed<Real>) : Vec<spins<D>, Real>{});
-        turn_on(p, row, roller.rolled * (Real(1) / p.radius[row]));
+        constexpr Real most = std::numeric_limits<Real>::max(); // per radius, of one that is nearly nothing
+        const Real spins = min(state.per_h / p.radius[row], most), turns = min(Real(1) / p.radius[row], most);
+        p.spin.set(row, product(roller.rim, spins, limit::speed<Real>));
+        turn_on(p, row, product(roller.rolled, turns, most_turned<Real>));
     }
 }
 
