@@ -1,5 +1,6 @@
 #include "bindings/c/player.h"
 
+#include "sinew/prefab/prefabs.h"
 #include "sinew/scene/text.h"
 #include "sinew/session/pick.h"
 
@@ -414,6 +415,7 @@ sinew_status sinew_player_prefab(sinew_player player, const char* prefab, const 
         auto document = load(parameters ? parameters : "{}", "parameters");
         auto* given = document.root.as<json::Object>();
         if (const auto status = keep_diagnostics(document.diagnostics)) return status;
+        if (!make_prefab(prefab)) return fail(SINEW_BAD_ARGUMENT, concat("no prefab is called ", in_quotes(prefab)));
         known.play->prefab = prefab;
         known.play->prefab_parameters = given ? std::move(*given) : json::Object{};
         return SINEW_OK;

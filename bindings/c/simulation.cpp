@@ -181,7 +181,8 @@ sinew_status sinew_world_step(sinew_world simulation, uint32_t count) {
 }
 
 sinew_status sinew_world_run_until(sinew_world simulation, double seconds) {
-    if (!std::isfinite(seconds)) return fail(SINEW_BAD_ARGUMENT, "the time is not finite");
+    constexpr double most = 1e9; // as a scene's duration
+    if (!(std::fabs(seconds) <= most)) return fail(SINEW_BAD_ARGUMENT, "a time is at most 1e9 seconds");
     return advance(simulation, [&](Session& session) { session.run_until(seconds); });
 }
 

@@ -154,7 +154,7 @@ SINEW_API void sinew_free(void* memory);      /* null is allowed */
 SINEW_API sinew_status sinew_world_restart(sinew_world world);
 /* Takes `count` steps of the scene's rate, with the scene's events. */
 SINEW_API sinew_status sinew_world_step(sinew_world world, uint32_t count);
-/* Steps until `seconds` of simulated time have passed since the start, to within half a step. */
+/* Steps until `seconds` of simulated time, at most 1e9, have passed since the start, to within half a step. */
 SINEW_API sinew_status sinew_world_run_until(sinew_world world, double seconds);
 
 /* --- reading ----------------------------------------------------------------------------------------------------- */

@@ -26,6 +26,7 @@ static void a_pendulum_keeps_its_energy(void) {
     sinew_particle_state state;
     CHECK(sinew_world_find_particle(simulation, "pendulum/bob", &bob) == SINEW_OK);
     CHECK(sinew_world_run_until(simulation, 0.3) == SINEW_OK);
+    CHECK(sinew_world_run_until(simulation, 1e300) == SINEW_BAD_ARGUMENT);
     CHECK(sinew_world_get_particle(simulation, bob, &state) == SINEW_OK);
     const double square = state.velocity[0] * state.velocity[0] + state.velocity[1] * state.velocity[1];
     CHECK(fabs(square + 20 * state.position[1]) < 0.02);
@@ -186,6 +187,8 @@ static void a_player_owns_its_simulation(void) {
     CHECK(sinew_player_resize(player, 400, 400, 1) == SINEW_OK);
     CHECK(sinew_player_world(player, 0, &simulation) == SINEW_OK);
     CHECK(sinew_player_world(player, 1, &simulation) == SINEW_NOT_FOUND);
+    CHECK(sinew_player_prefab(player, "ragdol", NULL) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_player_prefab(player, "ragdoll", NULL) == SINEW_OK);
     CHECK(sinew_world_step(simulation, 1) == SINEW_READ_ONLY && sinew_world_close(simulation) == SINEW_READ_ONLY);
     CHECK(sinew_player_pointer(player, 300, 200) == SINEW_OK);
     CHECK(sinew_player_press(player, SINEW_LEFT) == SINEW_OK);

@@ -68,7 +68,7 @@ void set_environment(const Setting& setting) {
 
 [[noreturn]] void become(const Arguments& arguments, const Setting& setting) {
     set_environment(setting);
-    std::signal(SIGPIPE, SIG_DFL);
+    for (const int signal : {SIGPIPE, SIGINT}) std::signal(signal, SIG_DFL); // a shell's background job has no SIGINT
     if (!setting.folder.empty() && chdir(setting.folder.c_str()) != 0) _exit(126);
     if (setting.max_memory > 0 && !sanitized) {
         const rlimit limit{setting.max_memory, setting.max_memory};
