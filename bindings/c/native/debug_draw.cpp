@@ -29,7 +29,7 @@ std::uint32_t color_of_strain(double strain) {
     return level(2 * share) << 16 | level(2 - 2 * share) << 8 | 40;
 }
 
-/// What is drawn, in order. Callbacks follow when all of it is listed: they may change the world, or close it.
+/// Items drawn, in order. Callbacks follow when all items are listed, and may change the world or close it.
 class Sketch {
   public:
     explicit Sketch(double extent) : extent(extent) {}

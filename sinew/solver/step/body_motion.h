@@ -70,9 +70,7 @@ template <int D, class Real> class BodyMotion {
     /// Gives a body the shape of a step ago, about its present centre.
     void put_back(std::span<const Vec<D, Real>> before) {
         const auto way = moments(p_.position).center - moments(before).center;
-        for (const Row row : rows_) {
-            place(row, cast<double>(before[row]) + way);
-        }
+        for (const Row row : rows_) place(row, cast<double>(before[row]) + way);
     }
 
   private:

@@ -12,7 +12,7 @@
 /// the same. Any gain of an island, bodies near enough to touch each other, is taken from the motion of the bodies that
 /// gained it. Where something pushes them: from the motion relative to the rigid body with the same momenta, then from
 /// the whole; a gain in height alone is left where something touches, for figures that begin inside each other part. In
-/// free flight: from the motion relative to the rigid body, from the rotation of what has shrunk, both of which keep
+/// free flight: from the motion relative to the rigid body, from the rotation of a shrunk body, both of which keep
 /// the momenta; then from the motion of bodies past each other, and from their rotation.
 ///
 /// Islands that something else moves are not judged: driven pins, limits, colliders and belts, forces of the program;
