@@ -1,5 +1,6 @@
 #include "sinew/solver/phases.h"
 
+#include "tests/any_figure.h"
 #include "tests/flight.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
@@ -16,71 +17,6 @@ namespace {
 
 using namespace test;
 
-/// Numbers that follow from a seed alone.
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : seed_(seed) {}
-    double share() { return random::uniform(seed_, next_++, 0); }
-    double between(double low, double high) { return low + (high - low) * share(); }
-    int below(int count) { return std::min(int(share() * count), count - 1); }
-    bool one_of(int count) { return below(count) == 0; }
-    /// Log-uniform.
-    double scale(double low, double high) { return low * std::pow(high / low, share()); }
-
-  private:
-    std::uint64_t seed_, next_ = 0;
-};
-
-/// Any value that a field allows: compliances from 0 and 1e-9 to 1, masses over six decades, lengths of one figure
-/// over one decade around a common size, counts as a test has time for. A third of the fields keep their defaults.
-struct AnyParameter {
-    Dice& dice;
-    int max_count;
-    double size = dice.scale(0.1, 10);
-
-    void operator()(int& value, const Field& field) const {
-        if (dice.one_of(3)) return;
-        const double low = std::max(field.low, 1.0);
-        value = int(dice.scale(low, std::max(low, std::min(field.high, double(max_count))) + 0.99));
-    }
-    void operator()(double& value, const Field& field) const {
-        const bool stays = dice.one_of(3);
-        if (field.unit == unit::length)
-            value *= size * (stays ? 1 : dice.scale(0.3, 3));
-        else if (stays)
-            return;
-        else if (field.unit == unit::mass)
-            value = std::max(value, 1e-3) * dice.scale(1e-3, 1e3);
-        else if (field.unit == unit::compliance)
-            value = dice.one_of(4) ? 0 : dice.scale(1e-9, 1);
-        else
-            value = any_of(field);
-        value = std::clamp(value, field.low, field.high);
-    }
-    double any_of(const Field& field) const {
-        constexpr double smallest = 1e-3, largest = 1e3;
-        if (field.low <= 0 && dice.one_of(3)) return std::max(field.low, 0.0);
-        const double value = dice.scale(std::max(field.low, smallest), std::min(field.high, largest));
-        return field.low < 0 && dice.one_of(2) ? -value : value;
-    }
-    void operator()(bool& value, const Field&) const { value = dice.one_of(2); }
-    void operator()(std::string& value, const Field& field) const {
-        if (!field.choices.empty()) value = field.choices[std::size_t(dice.below(int(field.choices.size())))];
-    }
-    void operator()(std::vector<double>&, const Field&) const {}
-};
-
-template <class Prefab> std::string text_of(const Prefab& prefab) {
-    std::ostringstream text;
-    text << Prefab::name;
-    Prefab::fields(const_cast<Prefab&>(prefab), [&](auto& member, const Field& field) {
-        if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(member)>> ||
-                      std::is_same_v<std::remove_cvref_t<decltype(member)>, std::string>)
-            text << ' ' << field.name << '=' << member;
-    });
-    return text.str();
-}
-
 /// One figure or two of a kind, with any parameters, in motion.
 template <int D, class Real> struct Thrown {
     Stepped<D, Real> world;
@@ -92,14 +28,9 @@ template <int D, class Real> struct Thrown {
     template <class Prefab> Thrown(std::uint64_t seed, std::type_identity<Prefab>, int max_count) : dice(seed) {
         constexpr std::size_t max_particles = 400;
         Prefab prefab;
-        for (int tries = 0;; ++tries) {
-            prefab = {};
-            Prefab::fields(prefab, AnyParameter{dice, max_count});
-            if (!problem_of(prefab, D)) break;
-            if (tries > 50) return;
-        }
+        if (!draw(prefab, dice, D, max_count)) return;
         std::ostringstream text;
-        text << text_of(prefab);
+        text << description_of(prefab);
         world.settings.substeps = dice.one_of(2) ? 0 : int(dice.scale(1, 65));
         world.settings.iterations = dice.one_of(2) ? 1 : 1 + dice.below(8);
         world.forces.push_back(Gravity<D, Real>{Vec<D, Real>::axis(1) * Real(-gravity)});

@@ -40,6 +40,9 @@ template <int D, class Real> struct ContactRoom {
     UnionFind groups;                                       ///< of bodies; scratch
     std::vector<IslandRow<D, Real>> island_rows, held_rows; ///< of a substep
     std::vector<IslandMasses<Real>> islands;                ///< by their first bodies
+    std::vector<Vec<D, Real>> warm_from;                    ///< by slot: displacements before a warm start
+    std::vector<Vec<spins<D>, Real>> rims_from;             ///< likewise, of what rolls
+    std::vector<WarmGain> warm_gains;                       ///< by body, then by the first of an island
 
     detail::LinkProjector<D, Real> projector;
     detail::JointRows<D, Real> joints;

@@ -3,6 +3,7 @@
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/world/contacts.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace sinew {
@@ -73,6 +74,34 @@ template <class Real> struct ReboundRow {
     Real target = 0;                            ///< displacement after it, at least
     Real impulse = 0;                           ///< h newton seconds
     Real mass = 0; ///< impulse per displacement, as the whole figure answers; 0: not known yet
+};
+
+/// Kinetic energy of a body, or an island of bodies, before and after a warm start (warm_start.h); times h^2.
+struct WarmGain {
+    double before = 0, gained = 0;
+    double of_change = 0;   ///< of the change of the displacements alone
+    bool is_pushed = false; ///< by something that moves
+
+    template <class Vector, class Real> void add(const Vector& from, const Vector& to, Real mobility) {
+        const double mass = 0.5 / double(mobility);
+        before += mass * double(dot(from, from));
+        gained += mass * double(dot(to - from, to + from));
+        of_change += mass * double(dot(to - from, to - from));
+    }
+    WarmGain& operator+=(const WarmGain& other) {
+        before += other.before, gained += other.gained, of_change += other.of_change;
+        is_pushed = is_pushed || other.is_pushed;
+        return *this;
+    }
+    bool is_large() const {
+        constexpr double most = 30; // a heavy head on light feet falls to and fro by less until its rows agree
+        return gained > most * before;
+    }
+    /// Share of the change at which the energy is least, where it has risen.
+    double share() const {
+        if (is_pushed || !is_large()) return 1;
+        return std::clamp(0.5 * (1 - gained / of_change), 0.0, 1.0);
+    }
 };
 
 /// Pair of features that may touch in a step. Particles are numbered first, then segments; first > second.

@@ -8,6 +8,7 @@
 #include "sinew/solver/contact/row_builder.h"
 #include "sinew/solver/contact/row_islands.h"
 #include "sinew/solver/contact/row_solver.h"
+#include "sinew/solver/contact/warm_start.h"
 
 #include <algorithm>
 
@@ -39,11 +40,14 @@ template <int D, class Real> class FigureContact {
         room().parts.run_all(threads_, [&](Part& part) { build_rows(world_, solver_, part, h_, from_, to_); });
         RowIslands<D, Real>(room(), state_).find();
         room().projector.begin(state_, drag_changes_, is_last_, threads_);
+        WarmStart<D, Real> warm_start(room(), state_);
+        warm_start.note();
         each_part([&](Part& part) {
             for (auto& row : part.rows) apply_again(row);
         });
         room().joints.begin(world_, state_, scale);
         room().projector.project_velocities(state_, threads_);
+        warm_start.bound();
         Rebounds<D, Real>(room(), state_, rows_, h_).run();
     }
 

@@ -56,6 +56,15 @@ template <int D, class Real> class JointRows {
             });
         for (auto& row : rows_) apply(state, row, row.multiplier);
     }
+    /// Scales the multipliers of the bodies of particles.
+    template <class Share> void scale(const Share& share_of) {
+        for (auto& row : rows_) {
+            const auto members = std::span(row.slot).first(row.members);
+            Real share = 1;
+            for (const Row slot : members) share = min(share, share_of(slot));
+            row.multiplier *= share;
+        }
+    }
     void solve(SweepState<D, Real>& state, const Softness<Real>& soft) {
         for (auto& row : rows_) solve(state, row, soft);
     }

@@ -82,7 +82,7 @@ template <int D, class Real> class EnergyBound {
     }
     double gained(std::uint32_t i) { return room_.bodies[i].seen_from(island(i).sum, island(i).pushed); }
 
-    /// Marks bodies that a force from outside or a motor moves, and belts.
+    /// Marks bodies that a force from outside or a turning motor moves, and belts.
     void mark_driven() {
         const auto count = bodies_.bodies.size();
         if (p_.any_force)
@@ -94,9 +94,9 @@ template <int D, class Real> class EnergyBound {
             if (const auto row = p_.handles.find(pin.particle); row && pin.max_force > Real(0))
                 bodies_.is_restless[bodies_.body_of[*row]] = 1;
         for_each_table(world_, [&](const auto& table) {
-            if (!table.motorized.any_of([](char flag) { return flag != 0; })) return;
+            if (!table.motor_speed.any_of([](Real speed) { return speed != Real(0); })) return;
             for (Row row = 0; row < table.size(); ++row)
-                if (table.motorized[row])
+                if (table.motor_speed[row] != Real(0))
                     for (const Row member : table.members[row]) bodies_.is_restless[bodies_.body_of[member]] = 1;
         });
     }

@@ -42,10 +42,11 @@ template <int D> struct EnergyGain {
                    to = island.after * inverse_or_zero(island.mass);
         return faster - dot(to, after) + dot(from, before) + 0.5 * mass * (dot(to, to) - dot(from, from)) + tenser;
     }
-    /// Gain that discretization or rounding may have made.
+    /// Gain that discretization or rounding may have made: shares of the energy without the gain.
     double tolerance(bool pushed) const {
-        if (pushed) return energy_tolerance * kinetic + slack;
-        const double inner = max(kinetic - 0.5 * dot(after, after) * inverse_or_zero(mass), 0.0);
+        const double due = kinetic - max(seen_from(*this, pushed), 0.0);
+        if (pushed) return energy_tolerance * max(due, 0.0) + slack;
+        const double inner = max(due - 0.5 * dot(after, after) * inverse_or_zero(mass), 0.0);
         return free_energy_tolerance * inner + rounding * square_root(2 * inner * inverse_or_zero(mass));
     }
     /// True if an island with this body may have gained energy: bodies that part gain none about their own centres.
