@@ -92,7 +92,7 @@ template <int D, class Real> class Heap {
     template <class Prefab> std::optional<Vec<2, double>> drop(Prefab prefab, double x, double y, int number) {
         constexpr double largest = 8; // metres
         constexpr std::size_t most = 120;
-        if (!draw(prefab, dice_, D, 12, 0.3, 2)) return {};
+        if (!draw(prefab, dice_, D, 12, 0.3, 2) || begins_within_itself(prefab)) return {};
         Stepped<D, Real> alone;
         build(alone, prefab, "it", Placement<D, Real>{});
         const auto& p = alone.particles;
@@ -108,6 +108,11 @@ template <int D, class Real> class Heap {
         build(world_, prefab, std::to_string(number), Placement<D, Real>{.at = at<V>(x - low[0], y - low[1])});
         text_ << "\n " << description_of(prefab);
         return size;
+    }
+    /// Boxes of a formation that are larger than the space between them part, which is work that nobody counts.
+    template <class Prefab> static bool begins_within_itself(const Prefab& prefab) {
+        if constexpr (std::is_same_v<Prefab, Formation>) return prefab.size >= prefab.spacing;
+        return false;
     }
     void set_contacts() {
         const bool bounces = dice_.one_of(2);

@@ -49,6 +49,63 @@ TYPED_TEST(Figures2, APyramidOfFifteenRowsRests) {
         EXPECT_LT(double(norm(world.particles.position[i] - before[i])), 0.05) << i;
 }
 
+// Two filled areas with a side between them, as a car's cabin and body: a figure above both is inside neither, however
+// wide the widest particle of the world is.
+TYPED_TEST(Figures2, NothingIsInsideAFigureOfTwoAreasThatStandsBesideIt) {
+    for (const double x : {-0.4, 0.0, 0.4})
+        for (const double y : {-0.045, 1.045}) {
+            FlatWorld<TypeParam> world;
+            const auto car = add_touching(world, 0.5);
+            std::vector<ParticleId> p;
+            for (const auto& [u, v] :
+                 {std::pair{-0.8, 0.0}, {0.8, 0.0}, {1.0, 0.2}, {0.6, 1.0}, {-0.6, 1.0}, {-1.0, 0.2}})
+                p.push_back(add_particle(
+                    world, {.position = {{TypeParam(u), TypeParam(v)}}, .radius = TypeParam(0.02), .figure = car}));
+            for (std::size_t i = 0; i < p.size(); ++i)
+                for (auto k = i + 1; k < p.size(); ++k) add<Distance>(world, {p[i], p[k]}, {.figure = car});
+            world.figures[car].particles = p;
+            world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[2], p[3], p[4], p[5]}});
+            world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[0], p[1], p[2], p[5]}});
+            const auto stick = add_touching(world, 0.5), wide = add_touching(world, 0.5);
+            const auto end = [&](double dx) {
+                return add_particle(
+                    world,
+                    {.position = {{TypeParam(x + dx), TypeParam(y)}}, .radius = TypeParam(0.02), .figure = stick});
+            };
+            const auto a = end(-0.1), b = end(0.1);
+            add<Distance>(world, {a, b}, {.figure = stick});
+            world.figures[stick].particles = {a, b};
+            const auto ball = add_particle(world, {.position = {{9, 0}}, .radius = TypeParam(2), .figure = wide});
+            world.figures[wide].particles = {ball};
+            run(world, 0.5);
+            EXPECT_EQ(mean_speed(world), 0) << x << ", " << y;
+        }
+}
+
+// The edge between two areas is no wall: a weight falls onto the roof and rests there, and one that begins within
+// leaves by an outer side.
+TYPED_TEST(Figures2, AWeightRestsOnAFigureOfTwoAreas) {
+    FlatWorld<TypeParam> world;
+    world.settings.substeps = 16;
+    add_ground(world);
+    const auto car = add_touching(world, 0.5);
+    std::vector<ParticleId> p;
+    for (const auto& [u, v] : {std::pair{-1.0, 0.02}, {1.0, 0.02}, {1.0, 0.5}, {1.0, 1.0}, {-1.0, 1.0}, {-1.0, 0.5}})
+        p.push_back(add_particle(
+            world, {.position = {{TypeParam(u), TypeParam(v)}}, .radius = TypeParam(0.02), .figure = car}));
+    for (std::size_t i = 0; i < p.size(); ++i)
+        for (auto k = i + 1; k < p.size(); ++k) add<Distance>(world, {p[i], p[k]}, {.figure = car});
+    world.figures[car].particles = p;
+    world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[2], p[3], p[4], p[5]}});
+    world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[0], p[1], p[2], p[5]}});
+    const auto crate = add_crate(world, 0, 2, 0.5, 1), inside = add_crate(world, 1.1, 0.25, 0.5, 1);
+    run(world, 6);
+    EXPECT_NEAR(double(middle_of(world, crate)[1]), 1.02 + 0.25, 0.02);
+    EXPECT_NEAR(double(middle_of(world, inside)[1]), 0.25, 0.02);
+    EXPECT_GT(double(middle_of(world, inside)[0] - (*position_of(world, p[1]))[0]), 0.24);
+    EXPECT_LT(mean_speed(world), 1e-3);
+}
+
 // Crates that begin inside each other part, the shortest way, no faster than one that falls as far, and rest side by
 // side or on each other.
 TYPED_TEST(Figures2, CratesThatBeginInsideEachOtherPart) {

@@ -95,6 +95,10 @@ template <int D, class Real> class CandidateSearch {
     }
 
     bool may_touch(std::uint32_t particle, const ContactSegment& segment) const {
+        return !segment.is_inner && may_meet(particle, segment);
+    }
+    /// True for a particle and a segment of figures that touch each other, unless they are neighbours.
+    bool may_meet(std::uint32_t particle, const ContactSegment& segment) const {
         const Row row = room_.particles[particle].row;
         if (room_.is_of_cloth(row)) return false;
         return row != segment.a && row != segment.b && meets(row, segment.a) && !are_linked(row, segment.a) &&

@@ -182,6 +182,7 @@ template <int D, class Real> class FeatureFinder {
                 room_.parts.list[room_.particles[i].strip].particles.push_back(i);
         if (world_.colliders.empty()) return;
         for (std::uint32_t i = 0; i < room_.segments.size(); ++i) {
+            if (room_.segments[i].is_inner) continue;
             const auto a = room_.particles[room_.segments[i].number_a].strip,
                        b = room_.particles[room_.segments[i].number_b].strip;
             room_.parts.list[detail::ContactParts<D, Real>::part_of(std::min(a, b), std::max(a, b))].segments.push_back(
@@ -219,17 +220,28 @@ template <int D, class Real> class FeatureFinder {
         const int side = D == 2 && piece.mark == Mark::fill ? solid_side(piece) : 0;
         for (std::size_t i = 0; i + (is_closed(piece) ? 0 : 1) < n; ++i) {
             const Row a = row_at(piece, i), b = row_at(piece, i + 1);
-            if (!takes_part(a) || !takes_part(b) || a == b || is_known(a, b, first_of_figure)) continue;
+            if (!takes_part(a) || !takes_part(b) || a == b) continue;
             if (room_.is_of_cloth(a) && room_.is_of_cloth(b)) continue;
-            room_.segments.push_back({.a = a, .b = b, .figure = figure, .side = side});
+            ContactSegment segment{.a = a, .b = b, .figure = figure, .side = side};
+            if (auto* known = find(a, b, first_of_figure)) {
+                if (!are_back_to_back(*known, segment)) continue;
+                known->is_inner = segment.is_inner = true;
+            }
+            room_.segments.push_back(segment);
         }
         const auto count = std::uint32_t(room_.segments.size()) - first;
         for (auto i = first; i < room_.segments.size(); ++i)
             room_.segments[i].first = first, room_.segments[i].count = count;
     }
-    bool is_known(Row a, Row b, std::size_t first) const {
-        return std::any_of(room_.segments.begin() + std::ptrdiff_t(first), room_.segments.end(),
-                           [&](const auto& s) { return (s.a == a && s.b == b) || (s.a == b && s.b == a); });
+    ContactSegment* find(Row a, Row b, std::size_t first) {
+        const auto found =
+            std::find_if(room_.segments.begin() + std::ptrdiff_t(first), room_.segments.end(),
+                         [&](const auto& s) { return (s.a == a && s.b == b) || (s.a == b && s.b == a); });
+        return found == room_.segments.end() ? nullptr : &*found;
+    }
+    /// True for two segments between the same particles that are solid on different sides.
+    static bool are_back_to_back(const ContactSegment& a, const ContactSegment& b) {
+        return a.side != 0 && b.side != 0 && (a.side == b.side) != (a.a == b.a);
     }
     /// Counter-clockwise outlines are solid on their left.
     int solid_side(const Piece& piece) const {

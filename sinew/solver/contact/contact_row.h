@@ -133,6 +133,7 @@ struct ContactSegment {
     Row a = 0, b = 0;
     FigureIndex figure = no_figure;
     int side = 0; ///< 2D: 1 or -1 where the figure is solid to the right or to the left of a-b; 0: solid nowhere
+    bool is_inner = false;                    ///< between two filled areas of a figure: nothing touches it
     std::uint32_t first = 0, count = 0;       ///< segments around the same solid
     std::uint32_t number_a = 0, number_b = 0; ///< of the ends, among the particles
 };

@@ -40,7 +40,7 @@ template <int D, class Real> class NestedSolids {
     void look_at(const SolidBox<D, Real>& a, const SolidBox<D, Real>& b) {
         if (!(a.box.low[1] < b.box.high[1] && b.box.low[1] < a.box.high[1])) return;
         const auto &one = room_.segments[a.solid], &other = room_.segments[b.solid];
-        if (search_.may_touch(one.number_a, other) && solids_.overlap(a.solid, b.solid))
+        if (search_.may_meet(one.number_a, other) && solids_.overlap(a.solid, b.solid))
             room_.list.found_nested.push_back({std::min(a.solid, b.solid), std::max(a.solid, b.solid)});
     }
 };

@@ -41,15 +41,19 @@ template <int D, class Real> class Solids {
                all_of(solid, [&](const ContactSegment& s) { return beyond(s, x) <= slack; });
     }
     /// True if a side that a particle at x is behind is the way out of its solid: for a corner of a convex solid the
-    /// side, of both, on which they overlap least; else the nearest side.
+    /// side, of both, on which they overlap least; else the nearest side. Beyond an inner side there is another solid.
     bool is_way_out(std::uint32_t particle, const Vector& x, const ContactSegment& s) const {
         const auto other = of(particle);
         const Real depth = beyond(s, x);
         if (other == none || other == s.first || !is_convex(other) || !is_convex(s.first))
-            return all_of(s.first, [&](const ContactSegment& side) { return !(beyond(side, x) > depth); });
+            return all_of(s.first, [&](const ContactSegment& side) {
+                return !(beyond(side, x) > (side.is_inner ? Real(0) : depth));
+            });
         const Real least = separation(s, other);
         const auto is_no_better = [&](std::uint32_t from) {
-            return [this, from, least](const ContactSegment& side) { return !(separation(side, from) > least); };
+            return [this, from, least](const ContactSegment& side) {
+                return !(separation(side, from) > (side.is_inner ? Real(0) : least));
+            };
         };
         return all_of(s.first, is_no_better(other)) && all_of(other, is_no_better(s.first));
     }
