@@ -36,8 +36,8 @@ template <int D, class Real> class Heap {
     }
     std::string text() const { return text_.str(); }
 
-    /// Largest rise of kinetic and potential energy above what was put in; in kinetic energy and what springs held, or
-    /// weight times a metre.
+    /// Largest rise of kinetic and potential energy above all energy at the start; in kinetic energy and that of
+    /// springs, or weight times a metre.
     double gain(int steps) {
         const auto begun = energy(world_);
         const double put_in = begun.kinetic + begun.potential + begun.stored;
@@ -74,7 +74,7 @@ template <int D, class Real> class Heap {
             ++i;
         }
     }
-    /// Width and height of a figure put at (x, y); nothing if what was drawn is too large, or driven.
+    /// Width and height of a figure put at (x, y); nothing if the one drawn is too large, or driven.
     std::optional<Vec<2, double>> drop_one(double x, double y, int number) {
         std::optional<Vec<2, double>> size;
         int kind = dice_.below(number_of_kinds());

@@ -2,10 +2,10 @@
 
 #include "sinew/solver/contact/contact_room.h"
 
-/// Bound of a warm start. Rows that hold take back what forces have just added, and the multipliers of the last substep
-/// do so again. Beside other rows, at other places or on bodies slowed down since, they may add energy instead, and
-/// more in each substep. An island of bodies in which they added many times what was there gets the share s of them at
-/// which its kinetic energy, a parabola
+/// Bound of a warm start. Rows that hold take back the speed that forces have just added, and the multipliers of the
+/// last substep do so again. Beside other rows, at other places or on bodies slowed down since, these may add energy
+/// instead, and more in each substep. An island of bodies whose energy grows many times by them gets the share s of
+/// them at which its kinetic energy, a parabola
 ///
 ///     T(s) = T0 + b s + a s^2,    a = sum of m |d1 - d0|^2 / 2
 ///
