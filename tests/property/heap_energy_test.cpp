@@ -192,7 +192,7 @@ template <int D, class Real> class Heap {
 
 TYPED_TEST(HeapEnergy, NeverRisesAboveWhatWasPutIn) {
     constexpr double slight = 1e-3;
-    const int cases = few_or_many(5, 250), steps = is_thorough() ? 300 : 120;
+    const int cases = few_or_many(5, 100), steps = 120;
     for (int seed = 1; seed <= cases; ++seed) {
         Heap<TypeParam::dimension, typename TypeParam::Real> heap{std::uint64_t(seed)};
         EXPECT_LE(heap.gain(steps), slight) << "seed " << seed << ":" << heap.text();
