@@ -1,12 +1,11 @@
 #pragma once
 
-#include "sinew/math/random.h"
 #include "sinew/prefab/prefabs.h"
 
+#include "tests/dice.h"
 #include "tests/prefab/make.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -14,21 +13,6 @@
 
 /// Figures of any kind with any parameters, for laws that hold for all of them.
 namespace sinew::test {
-
-/// Numbers that follow from a seed alone.
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : seed_(seed) {}
-    double share() { return random::uniform(seed_, next_++, 0); }
-    double between(double low, double high) { return low + (high - low) * share(); }
-    int below(int count) { return std::min(int(share() * count), count - 1); }
-    bool one_of(int count) { return below(count) == 0; }
-    /// Log-uniform.
-    double scale(double low, double high) { return low * std::pow(high / low, share()); }
-
-  private:
-    std::uint64_t seed_, next_ = 0;
-};
 
 /// Any value that a field allows: compliances from 0 and 1e-9 to 1, masses over six decades, lengths of one figure
 /// over one decade around a common size, counts as a test has time for. A third of the fields keep their defaults.

@@ -1,7 +1,7 @@
-#include "sinew/math/random.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/world/measure.h"
 
+#include "tests/dice.h"
 #include "tests/stepped.h"
 #include "tests/thorough.h"
 #include "tests/worlds.h"
@@ -17,19 +17,10 @@ namespace {
 
 using namespace test;
 
-/// Numbers that follow from a seed alone.
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : seed_(seed) {}
-    double share() { return random::uniform(seed_, next_++, 0); }
-    double between(double low, double high) { return low + (high - low) * share(); }
-    int below(int count) { return std::min(int(share() * count), count - 1); }
-    /// Over six decades.
-    double mass() { return std::pow(10.0, between(-3, 3)); }
-
-  private:
-    std::uint64_t seed_, next_ = 0;
-};
+/// Over six decades, kg.
+double any_mass(Dice& dice) {
+    return std::pow(10.0, dice.between(-3, 3));
+}
 
 template <int D> struct Joined {
     using World = test::Stepped<D, double>;
@@ -72,7 +63,7 @@ template <int D> struct Joined {
 
     void build_any(const std::string& name, const Vector& at) {
         const int kind = dice.below(D == 2 ? 7 : 4);
-        const double mass = dice.mass();
+        const double mass = any_mass(dice);
         if (kind == 0) {
             add_particle(world, {.position = at, .mass = mass});
             size += 0.2;

@@ -49,23 +49,31 @@ TYPED_TEST(Figures2, APyramidOfFifteenRowsRests) {
         EXPECT_LT(double(norm(world.particles.position[i] - before[i])), 0.05) << i;
 }
 
-// Two filled areas with a side between them, as a car's cabin and body: a figure above both is inside neither, however
-// wide the widest particle of the world is.
+/// A rigid figure of six corners in two filled areas with a side between them, as a car's cabin and body.
+template <class Real> std::vector<ParticleId> add_car(FlatWorld<Real>& world, const std::vector<V2<Real>>& corners) {
+    const auto car = add_touching(world, 0.5);
+    std::vector<ParticleId> p;
+    for (const auto& corner : corners)
+        p.push_back(add_particle(world, {.position = corner, .radius = Real(0.02), .figure = car}));
+    for (std::size_t i = 0; i < p.size(); ++i)
+        for (auto k = i + 1; k < p.size(); ++k) add<Distance>(world, {p[i], p[k]}, {.figure = car});
+    world.figures[car].particles = p;
+    world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[2], p[3], p[4], p[5]}});
+    world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[0], p[1], p[2], p[5]}});
+    return p;
+}
+
+// A figure above or below both areas is inside neither, however wide the widest particle of the world is.
 TYPED_TEST(Figures2, NothingIsInsideAFigureOfTwoAreasThatStandsBesideIt) {
     for (const double x : {-0.4, 0.0, 0.4})
         for (const double y : {-0.045, 1.045}) {
             FlatWorld<TypeParam> world;
-            const auto car = add_touching(world, 0.5);
-            std::vector<ParticleId> p;
-            for (const auto& [u, v] :
-                 {std::pair{-0.8, 0.0}, {0.8, 0.0}, {1.0, 0.2}, {0.6, 1.0}, {-0.6, 1.0}, {-1.0, 0.2}})
-                p.push_back(add_particle(
-                    world, {.position = {{TypeParam(u), TypeParam(v)}}, .radius = TypeParam(0.02), .figure = car}));
-            for (std::size_t i = 0; i < p.size(); ++i)
-                for (auto k = i + 1; k < p.size(); ++k) add<Distance>(world, {p[i], p[k]}, {.figure = car});
-            world.figures[car].particles = p;
-            world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[2], p[3], p[4], p[5]}});
-            world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[0], p[1], p[2], p[5]}});
+            add_car<TypeParam>(world, {{{TypeParam(-0.8), 0}},
+                                       {{TypeParam(0.8), 0}},
+                                       {{1, TypeParam(0.2)}},
+                                       {{TypeParam(0.6), 1}},
+                                       {{TypeParam(-0.6), 1}},
+                                       {{-1, TypeParam(0.2)}}});
             const auto stick = add_touching(world, 0.5), wide = add_touching(world, 0.5);
             const auto end = [&](double dx) {
                 return add_particle(
@@ -88,16 +96,9 @@ TYPED_TEST(Figures2, AWeightRestsOnAFigureOfTwoAreas) {
     FlatWorld<TypeParam> world;
     world.settings.substeps = 16;
     add_ground(world);
-    const auto car = add_touching(world, 0.5);
-    std::vector<ParticleId> p;
-    for (const auto& [u, v] : {std::pair{-1.0, 0.02}, {1.0, 0.02}, {1.0, 0.5}, {1.0, 1.0}, {-1.0, 1.0}, {-1.0, 0.5}})
-        p.push_back(add_particle(
-            world, {.position = {{TypeParam(u), TypeParam(v)}}, .radius = TypeParam(0.02), .figure = car}));
-    for (std::size_t i = 0; i < p.size(); ++i)
-        for (auto k = i + 1; k < p.size(); ++k) add<Distance>(world, {p[i], p[k]}, {.figure = car});
-    world.figures[car].particles = p;
-    world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[2], p[3], p[4], p[5]}});
-    world.figures[car].pieces.push_back({.mark = Mark::fill, .particles = {p[0], p[1], p[2], p[5]}});
+    const auto low = TypeParam(0.02), middle = TypeParam(0.5);
+    const auto p =
+        add_car<TypeParam>(world, {{{-1, low}}, {{1, low}}, {{1, middle}}, {{1, 1}}, {{-1, 1}}, {{-1, middle}}});
     const auto crate = add_crate(world, 0, 2, 0.5, 1), inside = add_crate(world, 1.1, 0.25, 0.5, 1);
     run(world, 6);
     EXPECT_NEAR(double(middle_of(world, crate)[1]), 1.02 + 0.25, 0.02);

@@ -14,8 +14,6 @@ namespace sinew::detail {
 
 template <int D, class Real> class WarmStart {
   public:
-    using RowT = ContactRow<D, Real>;
-
     WarmStart(ContactRoom<D, Real>& room, SweepState<D, Real>& state) : room_(room), state_(state) {}
 
     /// Notes the displacements before the multipliers act.
