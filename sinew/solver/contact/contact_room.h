@@ -37,6 +37,7 @@ template <int D, class Real> struct ContactRoom {
     std::vector<KeptContact<D, Real>> written;           ///< copy of what the world keeps, after the last step
     detail::ContactParts<D, Real> parts;
     std::vector<ReboundRow<Real>> rebounds;                 ///< scratch
+    DelassusRoom<D, Real> delassus;                         ///< scratch
     UnionFind groups;                                       ///< of bodies; scratch
     std::vector<IslandRow<D, Real>> island_rows, held_rows; ///< of a substep
     std::vector<IslandMasses<Real>> islands;                ///< by their first bodies

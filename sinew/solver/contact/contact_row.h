@@ -1,10 +1,12 @@
 #pragma once
 
+#include "sinew/math/matrix.h"
 #include "sinew/solver/simd/kernel.h"
 #include "sinew/world/contacts.h"
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace sinew {
 
@@ -32,6 +34,8 @@ template <int D, class Real> struct ContactRow {
     bool is_repeated = false; ///< solved with the rows of its island, until they agree (row_islands.h)
     bool is_central = false;  ///< the normal is the line of centres, and turns with it
     signed char side = 0;     ///< 2D: of the segment on which the particle is, 1: left of a-b
+
+    std::span<const Row> slots() const { return std::span(slot).first(members); }
 };
 
 /// The rest of a row.
@@ -70,10 +74,38 @@ template <class Real> struct IslandMasses { Real lightest = std::numeric_limits<
 template <class Real> struct ReboundRow {
     std::uint32_t group = 0, part = 0, row = 0; ///< first of the figures that rebound together; part, and index in it
     Real added = 0;                             ///< displacement by half of the forces in the substep
+    Real of_surface = 0;                        ///< displacement of the wall
     Real before = 0;                            ///< displacement before the blow
     Real target = 0;                            ///< displacement after it, at least
     Real impulse = 0;                           ///< h newton seconds
+    std::uint32_t strikes = 0;                  ///< in the substep
     Real mass = 0; ///< impulse per displacement, as the whole figure answers; 0: not known yet
+};
+
+/// Scratch of the Delassus operator of a group of rows (delassus.h).
+template <int D, class Real> struct DelassusRoom {
+    struct Contact {
+        ContactRow<D, Real>* row = nullptr;
+        Vec<D, Real> moved{};            ///< displacement by members with links
+        Vec<D, Real> impulse{};          ///< not given to these members yet, h newton seconds
+        Matrix<D, Real> own{};           ///< response to an impulse of its own, 1 / kg
+        std::size_t first = 0, last = 0; ///< entries
+        bool is_known = false, is_kept = false, has_lone = false;
+    };
+    /// Displacement of a contact for an impulse at another, 1 / kg.
+    struct Entry {
+        std::uint32_t contact = 0;
+        Matrix<D, Real> response{};
+    };
+    /// Contact of a component of rigid links.
+    struct Touching {
+        std::uint32_t component = 0, contact = 0;
+        friend constexpr auto operator<=>(const Touching&, const Touching&) = default;
+    };
+    std::vector<Contact> contacts;
+    std::vector<Entry> entries;
+    std::vector<Touching> touching;
+    std::vector<Matrix<D, Real>> responses;
 };
 
 /// Kinetic energy of a body, or an island of bodies, before and after a warm start (warm_start.h); times h^2.

@@ -89,7 +89,6 @@ template <int D, class Real> class FigureContact {
     bool is_active_;
     Real h_, from_, to_, left_; ///< substep; shares of the step at its ends; rest of the step
     RowSolver<D, Real> rows_{state_, max_displacement(h_)};
-    HeldRows<D, Real> held_{solver_.contacts.get(), state_, rows_};
     DeepRows<D, Real> deep_{solver_, rows_, h_};
     bool is_first_, is_last_, drag_changes_;
     int threads_;
@@ -119,18 +118,24 @@ template <int D, class Real> class FigureContact {
     template <class Acts> void solve_held(const Soft& soft, const Acts& acts) {
         constexpr int most = 32;
         constexpr Real exact = Real(0.02);
+        Delassus<D, Real> figures(room(), state_, rows_);
         const auto all = std::span(room().held_rows);
         for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
             while (last < all.size() && all[last].island == all[first].island) ++last;
+            const auto island = all.subspan(first, last - first);
+            figures.begin([&](const auto& add) {
+                for (const auto& one : island) add(room().parts.list[one.part].rows[one.row]);
+            });
+            const auto nodes_of = [&](std::size_t i) { return DelassusNodes<D, Real>{figures, i}; };
             settle_rows(
-                room(), all.subspan(first, last - first), {.most = most, .exact = exact},
-                [&](RowT& row, const Origin& origin) {
-                    if (acts(rows_, row, origin)) rows_.solve(row, nodes_of(row), soft, origin.surface_displacement);
+                room(), island, {.most = most, .exact = exact},
+                [&](std::size_t i, RowT& row, const Origin& origin) {
+                    if (acts(rows_, row, origin)) rows_.solve(row, nodes_of(i), soft, origin.surface_displacement);
                 },
-                [&](RowT& row, const Vector& impulse) { rows_.add(row, nodes_of(row), impulse); });
+                [&](std::size_t i, RowT& row, const Vector& impulse) { rows_.add(row, nodes_of(i), impulse); });
+            figures.finish();
         }
     }
-    HeldNodes<D, Real> nodes_of(const RowT& row) const { return {held_, rows_, row}; }
     RowSolver<D, Real> rows_on_clusters() { return {state_, max_displacement(h_), room().projector.motions()}; }
     template <class Work> void each_part(const Work& work) { room().parts.run(threads_, work); }
 

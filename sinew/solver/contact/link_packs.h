@@ -22,6 +22,8 @@ template <int D, class Real> class LinkPacks {
         int lane = 0;
     };
     Place place_of(std::uint32_t component) const { return places_[component]; }
+    /// Number of a particle that can move in its component.
+    std::uint32_t number_of(Row slot) const { return number_[slot]; }
 
     void build(const RigidLinks<D, Real>& links) {
         list.clear(), rows_.clear(), clusters_.clear(), members_.clear();

@@ -19,13 +19,22 @@ template <int D, class Real> class LinkResponse {
     Matrix of(Row slot) const {
         auto matrix = Matrix::diagonal(double(state_.mobility[slot]));
         if (links_.component_of[slot] == none) return matrix;
-        const auto lane = lane_of(links_.component_of[slot]);
         for (int i = 0; i < D; ++i) {
             const auto push = Vector::axis(i);
-            lane.respond(std::span(&slot, 1), std::span(&push, 1));
-            matrix.column[std::size_t(i)] = lane.displacement(lane.number_of(slot));
+            const auto displacement_at = respond(links_.component_of[slot], std::span(&slot, 1), std::span(&push, 1));
+            matrix.column[std::size_t(i)] = displacement_at(slot);
         }
         return matrix;
+    }
+    /// Displacements of the particles of a component for pushes, as a function of their slots; pushes on other
+    /// components have no part.
+    auto respond(std::uint32_t component, std::span<const Row> slots, std::span<const Vector> pushes) const {
+        const auto lane = lane_of(component);
+        lane.clear_added();
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            if (links_.component_of[slots[i]] == component) lane.push(packs_.number_of(slots[i]), pushes[i]);
+        lane.respond();
+        return [lane, this](Row slot) { return lane.displacement(packs_.number_of(slot)); };
     }
     /// Displacement, along the pushes, for a unit of these pushes on particles, 1 / kg.
     double along(std::span<const Row> slots, std::span<const Vector> pushes) const {
@@ -37,25 +46,6 @@ template <int D, class Real> class LinkResponse {
                 sum += along(links_.component_of[slots[i]], slots, pushes);
         }
         return max(sum, 0.0);
-    }
-
-    /// Sum of the displacements of particles, each by its weight, for pushes on them.
-    Vector displacement(std::span<const Row> slots, std::span<const Vector> pushes,
-                        std::span<const double> weights) const {
-        Vector sum{};
-        for (std::size_t i = 0; i < slots.size(); ++i) {
-            if (links_.component_of[slots[i]] == none) {
-                sum += pushes[i] * (weights[i] * double(state_.mobility[slots[i]]));
-                continue;
-            }
-            if (!is_first_of_component(slots, i)) continue;
-            const auto lane = lane_of(links_.component_of[slots[i]]);
-            lane.respond(slots, pushes);
-            for (std::size_t k = i; k < slots.size(); ++k)
-                if (links_.component_of[slots[k]] == links_.component_of[slots[i]])
-                    sum += lane.displacement(lane.number_of(slots[k])) * weights[k];
-        }
-        return sum;
     }
 
     /// Moves the particles by a multiple of the displacement for which `along` has last been asked.
@@ -96,24 +86,16 @@ template <int D, class Real> class LinkResponse {
       public:
         using Clusters::Clusters;
         Row slot_of(std::uint32_t particle) const { return pack_.slots[particle * pack_.stride + lane_]; }
-        /// Number of a particle of the component.
-        std::uint32_t number_of(Row slot) const {
-            std::uint32_t i = 0;
-            while (slot_of(i) != slot) ++i;
-            return i;
-        }
         template <class Visit> void each_movable(const Visit& visit) const {
             for (std::uint32_t i = 0; i < pack_.particles; ++i)
                 if (pack_.moves[i]) visit(i);
         }
         Vector displacement(std::uint32_t particle) const { return vector(particle, Fields::added); }
 
-        /// Displacements for pushes on particles, with the lengths held; pushes on other components have no part.
-        void respond(std::span<const Row> slots, std::span<const Vector> pushes) const {
-            Clusters::clear_added();
-            for (std::size_t i = 0; i < slots.size(); ++i)
-                for (std::uint32_t k = 0; k < pack_.particles; ++k)
-                    if (pack_.moves[k] && slot_of(k) == slots[i]) Clusters::push(k, numbers(pushes[i]));
+        using Clusters::clear_added;
+        void push(std::uint32_t particle, const Vector& by) const { Clusters::push(particle, numbers(by)); }
+        /// Displacements for the pushes since `clear_added`, with the lengths held.
+        void respond() const {
             each_link([&](std::uint32_t k, const LinkRow& row) {
                 const double change = Clusters::rate(k, row, Fields::added, Fields::added_move, Fields::added_turn);
                 Lanes::set_link(k, Fields::right, Lanes::link(k, Fields::active) > 0 ? change : 0);
@@ -168,12 +150,10 @@ template <int D, class Real> class LinkResponse {
         return component != none && std::ranges::none_of(slots.first(i), is_same);
     }
     double along(std::uint32_t component, std::span<const Row> slots, std::span<const Vector> pushes) const {
-        const auto lane = lane_of(component);
-        lane.respond(slots, pushes);
+        const auto displacement_at = respond(component, slots, pushes);
         double sum = 0;
         for (std::size_t i = 0; i < slots.size(); ++i)
-            if (links_.component_of[slots[i]] == component)
-                sum += dot(pushes[i], lane.displacement(lane.number_of(slots[i])));
+            if (links_.component_of[slots[i]] == component) sum += dot(pushes[i], displacement_at(slots[i]));
         return sum;
     }
 };

@@ -2,7 +2,7 @@
 
 #include "sinew/math/sort.h"
 #include "sinew/solver/contact/contact_law.h"
-#include "sinew/solver/contact/held_rows.h"
+#include "sinew/solver/contact/delassus.h"
 
 /// Blows with restitution, before the figures move in a substep. With v- and v+ the velocities of a contact along its
 /// normal before and after, and lambda its impulse,
@@ -23,11 +23,13 @@ template <int D, class Real> class Rebounds {
     using RowT = ContactRow<D, Real>;
     using Part = ContactPart<D, Real>;
     using Rebounding = ReboundRow<Real>;
+    /// In a substep; a rod that rattles between a wall and the floor takes ten. Then its rows hold it.
+    static constexpr std::uint32_t strikes_of_row = 10;
 
     /// `h`: length of the substep.
     Rebounds(ContactRoom<D, Real>& room, SweepState<D, Real>& state, const RowSolver<D, Real>& rows, Real h)
-        : room_(room), state_(state), rows_(rows), held_(&room, state, rows), resting_(square(h) * norm(state.gravity)),
-          added_(state.gravity * (Real(0.5) * square(h))) {}
+        : room_(room), state_(state), rows_(rows), figures_(room, state, rows),
+          resting_(square(h) * norm(state.gravity)), added_(state.gravity * (Real(0.5) * square(h))) {}
 
     /// Before the move.
     void run() {
@@ -57,17 +59,13 @@ template <int D, class Real> class Rebounds {
     ContactRoom<D, Real>& room_;
     SweepState<D, Real>& state_;
     const RowSolver<D, Real>& rows_;
-    HeldRows<D, Real> held_;
+    Delassus<D, Real> figures_;
     Real resting_;
     Vec<D, Real> added_; ///< displacement by half of what gravity adds in the substep
 
     bool is_wall(const Rebounding& one) { return one.row >= part_of(one).first_wall; }
     Part& part_of(const Rebounding& one) { return room_.parts.list[one.part]; }
     RowT& row_of(const Rebounding& one) { return part_of(one).rows[one.row]; }
-    Real change(const Rebounding& one) {
-        return rows_.change(row_of(one), part_of(one).origins[one.row].surface_displacement);
-    }
-
     /// Rows of walls, and those between figures that rebound from each other.
     static bool takes_part(const Part& part, std::size_t row) {
         return row >= part.first_wall || part.origins[row].restitution > Real(0);
@@ -84,7 +82,10 @@ template <int D, class Real> class Rebounds {
                 any = any || (part.origins[k].restitution > Real(0) &&
                               rebound_after(part.origins[k].approach, Real(1), resting_));
                 joins = joins || k < part.first_wall;
-                all.push_back({.part = i, .row = std::uint32_t(k), .added = added_of(part.rows[k])});
+                all.push_back({.part = i,
+                               .row = std::uint32_t(k),
+                               .added = added_of(part.rows[k]),
+                               .of_surface = dot(part.rows[k].normal, part.origins[k].surface_displacement)});
             }
         }
         if (!any) return all.clear();
@@ -106,40 +107,51 @@ template <int D, class Real> class Rebounds {
         auto& groups = room_.groups;
         groups.make_room(room_.projector.bodies());
         for (const auto& one : room_.rebounds)
-            for (const Row slot : HeldRows<D, Real>::members_of(row_of(one))) groups.separate(body_of(slot));
+            for (const Row slot : row_of(one).slots()) groups.separate(body_of(slot));
         for (const auto& one : room_.rebounds)
-            for (const Row slot : HeldRows<D, Real>::members_of(row_of(one)))
+            for (const Row slot : row_of(one).slots())
                 if (state_.mobility[slot] > Real(0)) groups.join(body_of(row_of(one)), body_of(slot));
     }
     std::uint32_t body_of(Row slot) const { return room_.projector.body_of(slot); }
     /// Body of the first member that can move.
     std::uint32_t body_of(const RowT& row) const {
-        const auto members = HeldRows<D, Real>::members_of(row);
+        const auto members = row.slots();
         const auto first = std::ranges::find_if(members, [&](Row slot) { return state_.mobility[slot] > Real(0); });
         return body_of(first != members.end() ? *first : members[0]);
     }
 
     void reflect(std::span<Rebounding> body) {
-        // A rod that rattles between a wall and the floor takes ten; a blow passes through a row of balls one by one.
-        const auto most = 10 + min(body.size(), std::size_t(90));
+        const auto most = strikes_of_row + min(body.size(), std::size_t(90)); // through a row of balls one by one
+        figures_.begin([&](const auto& add) {
+            for (const auto& one : body) add(row_of(one));
+        });
         for (std::size_t i = 0; i < most && set_targets(body); ++i) {
             solve(body);
+            figures_.finish();
             take_back_gain(body);
             rub(body);
+            figures_.finish();
             for (const auto& one : body) note(one);
         }
+    }
+    /// Displacement of a contact from its wall, along the normal.
+    Real change(std::span<const Rebounding> body, std::size_t i) const {
+        return dot(figures_.row(i).normal, figures_.moved(i)) - body[i].of_surface;
     }
     /// True if something strikes.
     bool set_targets(std::span<Rebounding> body) {
         bool any = false;
-        for (auto& one : body) {
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            auto& one = body[i];
             const auto& origin = part_of(one).origins[one.row];
             const Real gap = max(row_of(one).gap, Real(0));
-            one.before = change(one), one.impulse = 0;
+            one.before = change(body, i), one.impulse = 0;
             one.target = is_wall(one) ? min(-gap, one.before) : -limit::measure<Real>;
-            if (origin.restitution == Real(0) || !(gap + one.before < Real(0))) continue;
+            if (one.strikes == strikes_of_row || origin.restitution == Real(0) || !(gap + one.before < Real(0)))
+                continue;
             if (const auto away = rebound_after(-one.before, origin.restitution, resting_)) {
                 one.target = *away + (Real(1) + origin.restitution) * one.added;
+                ++one.strikes;
                 any = true;
             }
         }
@@ -150,52 +162,52 @@ template <int D, class Real> class Rebounds {
         constexpr Real exact = Real(1e-6); // of the fastest rebound
         Real fastest = 0;
         for (const auto& one : body) fastest = max(fastest, one.target);
-        for (int i = 0; i < enough; ++i) {
+        for (int pass = 0; pass < enough; ++pass) {
             Real corrected = 0;
-            for (auto& one : body) corrected = max(corrected, correct(one));
+            for (std::size_t i = 0; i < body.size(); ++i) corrected = max(corrected, correct(body, i));
             if (corrected <= exact * fastest) break;
         }
     }
     /// Returns the velocity corrected, as a displacement.
-    Real correct(Rebounding& one) {
-        const Real lacking = one.target - change(one);
+    Real correct(std::span<Rebounding> body, std::size_t i) {
+        auto& one = body[i];
+        const Real lacking = one.target - change(body, i);
         if (!(lacking > Real(0)) && one.impulse == Real(0)) return 0;
-        if (one.mass == Real(0)) one.mass = held_.mass_of(row_of(one));
-        const Real next = min(max(one.impulse + lacking * one.mass, Real(0)), limit::multiplier<Real>);
+        if (one.mass == Real(0)) one.mass = figures_.mass_along(i, figures_.row(i).normal);
+        const Real next = clamp(one.impulse + lacking * one.mass, Real(0), limit::multiplier<Real>);
         const Real added = next - one.impulse;
-        push(one, added);
+        push(body, i, added);
         return absolute(added) * inverse_or_zero(one.mass);
     }
-    void push(Rebounding& one, Real impulse) {
-        if (impulse == Real(0)) return;
-        held_.push(row_of(one), impulse);
-        one.impulse += impulse;
+    void push(std::span<Rebounding> body, std::size_t i, Real impulse) {
+        figures_.push(i, figures_.row(i).normal * impulse);
+        body[i].impulse += impulse;
     }
     /// With the share s of the impulses the velocities are v + s dv: the work of the walls is a parabola over s.
     void take_back_gain(std::span<Rebounding> body) {
         Real a = 0, b = 0;
-        for (const auto& one : body) {
-            a += one.impulse * (change(one) - one.before);
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            const auto& one = body[i];
+            a += one.impulse * (change(body, i) - one.before);
             b += one.impulse * Real(2) * (one.before - one.added);
         }
         if (!(a + b > Real(0))) return;
         const Real share = clamp(-b * inverse_or_zero(a), Real(0), Real(1));
-        for (auto& one : body) push(one, (share - Real(1)) * one.impulse);
+        for (std::size_t i = 0; i < body.size(); ++i) push(body, i, (share - Real(1)) * body[i].impulse);
     }
     /// Friction of the blow, at the rims of balls. Each impulse takes energy.
     void rub(std::span<Rebounding> body) {
-        for (auto& one : body) {
-            const auto& row = row_of(one);
-            if (!(row.friction > Real(0)) || !(one.impulse > Real(0))) continue;
-            const auto moved = rows_.relative_displacement(row) - part_of(one).origins[one.row].surface_displacement;
-            const auto slip = rows_.slip_of(row, moved);
-            auto along = row;
-            along.normal = -direction(slip);
-            const Real mass = rows_.mass_with_turns(row, held_.mass_of(along));
-            const Real impulse = min(norm(slip) * mass, row.friction * one.impulse);
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            const auto& row = row_of(body[i]);
+            if (!(row.friction > Real(0)) || !(body[i].impulse > Real(0))) continue;
+            const auto& surface = part_of(body[i]).origins[body[i].row].surface_displacement;
+            const auto slip = rows_.slip_of(row, figures_.moved(i) - surface);
+            const auto against = -direction(slip);
+            const Real mass = rows_.mass_with_turns(row, figures_.mass_along(i, against));
+            const Real impulse = min(norm(slip) * mass, row.friction * body[i].impulse);
             if (!(impulse > Real(0))) continue;
-            held_.push(along, impulse);
-            rows_.turn(row, along.normal * impulse);
+            figures_.push(i, against * impulse);
+            rows_.turn(row, against * impulse);
         }
     }
     void note(const Rebounding& one) {

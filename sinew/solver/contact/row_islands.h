@@ -113,10 +113,10 @@ template <int D, class Real> class RowIslands {
                const Acts& acts) {
         settle_rows(
             room_, island, {.most = int(min(Real(2) * load, Real(256))), .exact = Real(1e-3) / load},
-            [&](RowT& row, const Origin& origin) {
+            [&](std::size_t, RowT& row, const Origin& origin) {
                 if (acts(row, origin)) solver.solve(row, soft, origin.surface_displacement);
             },
-            [&](RowT& row, const Vector& impulse) { solver.add(row, impulse); });
+            [&](std::size_t, RowT& row, const Vector& impulse) { solver.add(row, impulse); });
     }
 };
 

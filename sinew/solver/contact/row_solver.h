@@ -17,6 +17,7 @@ template <int D, class Real> class RowSolver {
     RowSolver(SweepState<D, Real>& state, Real furthest, const ClusterMotions<D, Real>& motions = {})
         : state_(state), furthest_(furthest), motions_(motions) {}
 
+    Real furthest() const { return furthest_; }
     void apply(const RowT& row, const Vector& impulse) const { particles(row).push(impulse); }
     /// Gives the multiplier of friction once more, and turns what it rubs.
     void apply_again(const RowT& row) const {

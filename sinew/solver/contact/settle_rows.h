@@ -17,7 +17,7 @@ template <class Real> struct Settling {
     Real exact = 0;
 };
 
-/// Calls solve(row, origin) for each row in a pass, and add(row, impulse) between passes.
+/// Calls solve(number, row, origin) for each row in a pass, and add(number, row, impulse) between passes.
 template <int D, class Real, class Solve, class Add>
 void settle_rows(ContactRoom<D, Real>& room, std::span<IslandRow<D, Real>> rows, const Settling<Real>& until,
                  const Solve& solve, const Add& add) {
@@ -31,17 +31,19 @@ void settle_rows(ContactRoom<D, Real>& room, std::span<IslandRow<D, Real>> rows,
     Real before = 0;
     for (int pass = 1;; ++pass) {
         Real size = 0, changed = 0;
-        for (auto& one : rows) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            auto& one = rows[i];
             const auto impulse = impulse_of(one);
-            solve(row_of(one), room.parts.list[one.part].origins[one.row]);
+            solve(i, row_of(one), room.parts.list[one.part].origins[one.row]);
             one.change = impulse_of(one) - impulse;
             size += dot(impulse, impulse), changed += dot(one.change, one.change);
         }
         if (pass >= until.most || !(changed > square(exact) * size)) return;
         const Real share = before > Real(0) && changed <= before ? changed / before : Real(0);
-        for (auto& one : rows) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            auto& one = rows[i];
             one.direction *= share;
-            if (share > Real(0)) add(row_of(one), one.direction);
+            if (share > Real(0)) add(i, row_of(one), one.direction);
             one.direction += one.change;
         }
         before = changed;
