@@ -203,7 +203,10 @@ sinew_status sinew_world_set(sinew_world simulation, const char* override_pair) 
         const std::array<Override, 1> overrides = {{{override_pair}}};
         auto edited = play::edited(session.scene(), overrides);
         if (const auto status = keep_diagnostics(edited.diagnostics)) return status;
-        session.become(std::move(*edited.scene));
+        auto next = session; // an edit that loses something is not made
+        const auto lost = next.become(std::move(*edited.scene));
+        if (!lost.empty()) return fail(SINEW_BAD_ARGUMENT, lost);
+        session = std::move(next);
         return SINEW_OK;
     });
 }

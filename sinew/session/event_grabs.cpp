@@ -108,6 +108,13 @@ void EventGrabs::go_on(AnyWorld& any, const AnyWorld& old) {
         any);
 }
 
+std::vector<PinId> EventGrabs::pins() const {
+    std::vector<PinId> all;
+    for (const auto& held : held_)
+        if (!held.stroke) all.push_back(held.pin);
+    return all;
+}
+
 std::vector<ParticleId> EventGrabs::particles(const AnyWorld& any) const {
     std::vector<ParticleId> all;
     std::visit(

@@ -26,6 +26,8 @@ class EventGrabs {
     /// Pins again, in a world made anew in place of `old`, where the particles still exist.
     void go_on(AnyWorld& world, const AnyWorld& old);
 
+    /// Pins that hold particles.
+    std::vector<PinId> pins() const;
     /// Particles named by the events.
     std::vector<ParticleId> particles(const AnyWorld& world) const;
 

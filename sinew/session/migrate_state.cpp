@@ -211,7 +211,9 @@ template <class WorldT> bool is_pinned(const WorldT& world, std::size_t figure) 
     });
 }
 
-template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, const Scene& edited, WorldT& fresh) {
+template <class WorldT>
+std::vector<FigureIndex> carry_all(const Scene& scene, const WorldT& old, const Scene& edited, WorldT& fresh) {
+    std::vector<FigureIndex> going_on;
     fresh.time = old.time;
     fresh.steps = old.steps;
     fresh.last_step = old.last_step;
@@ -230,6 +232,7 @@ template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, co
         if (!figure.fits()) continue;
         if (same_words(scene, *before, *after)) {
             figure.carry(gone, cut);
+            going_on.push_back(FigureIndex(i));
             continue;
         }
         if (before->made.index() != after->made.index() || !same_kinds(was, fresh.figures[i])) continue;
@@ -242,17 +245,21 @@ template <class WorldT> void carry_all(const Scene& scene, const WorldT& old, co
         figure.carry(gone, cut);
         if (gone.size() + cut.size() == lost && was.fragments.empty()) fresh.figures[i].pieces = pieces;
         if (!moved->is_identity) figure.transform(*moved);
+        going_on.push_back(FigureIndex(i));
     }
     if (!cut.empty()) remove_constraints(fresh, std::span<const ConstraintId>(cut));
     if (!gone.empty()) remove_particles(fresh, std::span<const ParticleId>(gone));
+    return going_on;
 }
 
 } // namespace
 
-void migrate_state(const Scene& scene, const AnyWorld& world, const Scene& edited, AnyWorld& fresh) {
-    std::visit(
+std::vector<FigureIndex> migrate_state(const Scene& scene, const AnyWorld& world, const Scene& edited,
+                                       AnyWorld& fresh) {
+    return std::visit(
         [&]<class WorldT>(WorldT& into) {
-            if (const auto* from = std::get_if<WorldT>(&world)) carry_all(scene, *from, edited, into);
+            const auto* from = std::get_if<WorldT>(&world);
+            return from ? carry_all(scene, *from, edited, into) : std::vector<FigureIndex>();
         },
         fresh);
 }

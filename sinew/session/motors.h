@@ -11,6 +11,10 @@ class Motors {
   public:
     /// Finds the driven constraints in a freshly built world.
     void find(const Scene& scene, const AnyWorld& world);
+    /// Calls visit(id) for every driven constraint, whose id may be changed.
+    template <class Visit> void each(Visit&& visit) {
+        for (auto& driven : driven_) visit(driven.constraint);
+    }
     /// Sets speeds and force limits for the next step.
     void run(const Scene& scene, AnyWorld& world) const;
 

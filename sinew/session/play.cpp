@@ -1,3 +1,4 @@
+#include "sinew/session/keep_changes.h"
 #include "sinew/session/migrate_state.h"
 #include "sinew/session/session.h"
 #include "sinew/world/edit.h"
@@ -46,28 +47,39 @@ void Session::quicken(double by) {
         world_);
 }
 
-void Session::become(Scene scene) {
-    become(std::move(scene), level_);
+std::string Session::become(Scene scene) {
+    return become(std::move(scene), level_);
 }
 
-void Session::become(Scene scene, std::shared_ptr<Level> level) {
+std::string Session::become(Scene scene, std::shared_ptr<Level> level) {
     let_go();
     auto fresh = instantiate(scene);
-    migrate_state(scene_, world_, scene, fresh);
+    const auto going_on = migrate_state(scene_, world_, scene, fresh);
     const AnyWorld old = std::exchange(world_, std::move(fresh));
-    const auto described = scene_.figures.size();
-    scene_ = std::move(scene);
+    const Scene before = std::exchange(scene_, std::move(scene));
     level_ = std::move(level);
     skip_past_events();
     find_driven();
+    const auto lost = level_ ? "" : keep_changes_of(before, old, going_on);
     const auto memory = std::move(level_memory_);
     const auto steering = steering_;
     build_level();
     if (!level_) steering_.take_over(steering, old, world_); // code steers its own figures
     if (memory.size() == level_memory_.size()) level_memory_ = memory;
-    if (level_) migrate_built({old, described}, {world_, scene_.figures.size()});
+    if (level_) migrate_built({old, before.figures.size()}, {world_, scene_.figures.size()});
     keep_going(old);
     if (!history_.is_of(scene_)) history_.restart(scene_, world_);
+    return lost;
+}
+
+/// Pins of events are made anew by keep_going().
+std::string Session::keep_changes_of(const Scene& scene, const AnyWorld& old, std::span<const FigureIndex> going_on) {
+    Renamed renamed;
+    const auto held = grabs_.pins();
+    auto lost = keep_changes({scene, old, world_, going_on, held}, renamed);
+    for (auto& driven : driven_) renamed.rename(driven.pin);
+    winder_.each([&](ConstraintId& id) { renamed.rename(id); });
+    return lost;
 }
 
 /// Drops due events before the present step; a periodic event continues with the next occurrence.

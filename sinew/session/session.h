@@ -97,7 +97,7 @@ class Session {
     /// Goes on without the code beside the scene.
     void leave_level() { level_ = nullptr; }
     /// Goes on with other code, as `become` does with another scene: figures whose parts are the same keep their state.
-    void become(Scene scene, std::shared_ptr<Level> level);
+    std::string become(Scene scene, std::shared_ptr<Level> level);
     /// Controls of characters and cars, for the next steps.
     Steering& steering() { return steering_; }
     const Steering& steering() const { return steering_; }
@@ -132,8 +132,10 @@ class Session {
     /// Adds `by` to classic mode's time scale, clamped to [0, 5].
     void quicken(double by);
 
-    /// Replaces the scene while running: figures unchanged between both scenes keep positions, velocities and cuts.
-    void become(Scene scene);
+    /// Replaces the scene while running: figures unchanged between both scenes keep positions, velocities and cuts, and
+    /// what calls and events have changed stays (keep_changes.h), unless code builds the world. Ids hold. Returns the
+    /// reason why something cannot go on; empty if all does.
+    std::string become(Scene scene);
 
     /// Cuts every distance that crosses the line, as seen in the picture, or comes within `within` of the line
     /// (default: the scene's pointer setting). Returns the number of distances cut. A pointer's cut is a row of such
@@ -231,6 +233,7 @@ class Session {
     template <class Event> Noted apply(const Event& event, std::uint64_t before);
     std::optional<PinId> freeze_hovered();
     void still_gusts();
+    std::string keep_changes_of(const Scene& scene, const AnyWorld& old, std::span<const FigureIndex> going_on);
     void keep_going(const AnyWorld& old);
     void happen_on_contact();
     void note(SessionEvent event);

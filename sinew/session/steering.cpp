@@ -84,20 +84,24 @@ void Steering::restart() {
 }
 
 void Steering::take_over(const Steering& before, const AnyWorld& old, const AnyWorld& now) {
-    for (const auto& [figure, controls] : before.set_) {
-        std::string name;
-        std::visit(
+    const auto now_called = [&](const FigureId& figure) {
+        const auto name = std::visit(
             [&](const auto& world) {
-                if (const auto index = figure_index(world, figure)) name = world.figures[*index].name;
+                const auto index = figure_index(world, figure);
+                return index ? world.figures[*index].name : "";
             },
             old);
-        if (name.empty()) continue;
-        std::visit(
+        return std::visit(
             [&](const auto& world) {
-                if (const auto index = find_figure(world, name)) set(figure_id(world, *index), controls);
+                const auto index = find_figure(world, name);
+                return index ? figure_id(world, *index) : FigureId{};
             },
             now);
-    }
+    };
+    for (const auto& [figure, controls] : before.set_)
+        if (const auto id = now_called(figure); id != FigureId{}) set(id, controls);
+    for (const auto& [figure, steered] : before.known_)
+        if (const auto id = now_called(figure); id != FigureId{}) know(id, steered);
 }
 
 template <class WorldT> void Steering::run_in(const Scene& scene, WorldT& world) const {

@@ -36,7 +36,8 @@ class Steering {
     bool has_any(const Scene& scene) const;
     /// Forgets figures that the scene has not built, and the program's controls.
     void restart();
-    /// Takes over the program's controls of figures in a world before, by their names.
+    /// Takes over the program's controls, and parameters of figures that are not of the scene, from a world before, by
+    /// the names of the figures.
     void take_over(const Steering& before, const AnyWorld& old, const AnyWorld& now);
 
     /// Moves all figures for the next step.

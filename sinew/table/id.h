@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace sinew {
@@ -105,6 +106,19 @@ template <class Tag> class HandleMap {
         entries_.reserve(rows);
     }
 
+    /// Gives the rows ids that another table has handed out, all different; a row without one (Id{}) gets a new id.
+    void take_over(std::span<const Id<Tag>> wanted) {
+        SINEW_ASSERT(wanted.size() == rows_, "every row has an entry");
+        stamp_.forget();
+        if (rows_ == 0) return;
+        plain_ = is_plain(wanted);
+        plain_generation_ = wanted[0].generation;
+        index_of_row_.clear();
+        entries_.clear();
+        first_free_ = 0;
+        if (!plain_) number(wanted);
+    }
+
     /// Everything but the stamp of the next row, which a copy draws anew. Whoever writes calls is_sound() afterwards.
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.rows_, self.plain_, self.plain_generation_, self.index_of_row_, self.entries_, self.first_free_);
@@ -141,6 +155,37 @@ template <class Tag> class HandleMap {
     std::vector<std::uint32_t> index_of_row_;
     std::vector<Entry> entries_;
     std::uint32_t first_free_ = 0; ///< entries_.size(): no index is free
+
+    /// True if indices equal rows, and all are of one generation.
+    static bool is_plain(std::span<const Id<Tag>> ids) {
+        for (Row row = 0; row < ids.size(); ++row)
+            if (ids[row] != Id<Tag>{row, ids[0].generation}) return false;
+        return ids[0].generation != Stamp::none;
+    }
+    /// Fills the entries, which are empty: the wanted ids, then new ones at free indices, then the list of the free.
+    void number(std::span<const Id<Tag>> wanted) {
+        constexpr Row unused = ~Row(0);
+        const auto is_wanted = [](const Id<Tag>& id) { return id.generation != Stamp::none; };
+        index_of_row_.assign(rows_, 0);
+        for (Row row = 0; row < rows_; ++row) {
+            const auto& [index, generation] = wanted[row];
+            if (!is_wanted(wanted[row])) continue;
+            if (index >= entries_.size()) entries_.resize(std::size_t(index) + 1, {.row = unused});
+            entries_[index] = {.row = row, .generation = generation};
+            index_of_row_[row] = index;
+        }
+        std::uint32_t next = 0;
+        for (Row row = 0; row < rows_; ++row) {
+            if (is_wanted(wanted[row])) continue;
+            while (next < entries_.size() && entries_[next].row != unused) ++next;
+            if (next == entries_.size()) entries_.emplace_back();
+            entries_[next] = {.row = row, .generation = stamp_.get()};
+            index_of_row_[row] = next;
+        }
+        first_free_ = std::uint32_t(entries_.size());
+        for (auto index = first_free_; index-- > 0;)
+            if (entries_[index].row == unused) entries_[index] = {.row = std::exchange(first_free_, index)};
+    }
 
     std::uint32_t generation(std::uint32_t index) const {
         return plain_ ? plain_generation_ : entries_[index].generation;

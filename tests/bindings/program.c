@@ -533,6 +533,116 @@ static void controls_outlast_an_edit_of_the_scene(void) {
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
+static const char* const rope_and_box =
+    "{\"sinew\": 1, \"world\": {\"gravity\": [0, -10]}, \"figures\": [{\"prefab\": \"rope\", \"name\": \"rope\", "
+    "\"segments\": 6, \"at\": [0, 3]}, {\"prefab\": \"box\", \"name\": \"box\", \"at\": [3, 2]}], "
+    "\"colliders\": [{\"name\": \"ground\", \"shape\": \"box\", \"size\": [90, 1], \"at\": [0, -0.5]}]}";
+
+/* Everything that calls can add, remove or set, and its ids. */
+struct added {
+    uint32_t figure, box;
+    sinew_particle end, weight, link, corner;
+    sinew_constraint joint;
+    sinew_pin pin;
+    sinew_collider ground, wall;
+};
+static struct added added_to(sinew_world world) {
+    struct added it;
+    const sinew_collider_spec wall = {
+        .struct_size = sizeof wall, .shape = SINEW_BOX, .half = {0.5, 5, 1}, .position = {-9, 0, 0}};
+    const sinew_particle_spec weight = {.position = {1, 2, 0}, .mass = 3};
+    const sinew_constraint_spec cord = {.high = 2};
+    CHECK(add_rope(world, "second", NULL, 0, &it.figure) == SINEW_OK);
+    CHECK(sinew_world_find_figure(world, "box", &it.box) == SINEW_OK);
+    CHECK(sinew_world_find_particle(world, "rope/end", &it.end) == SINEW_OK);
+    CHECK(sinew_world_find_particle(world, "second/end", &it.link) == SINEW_OK);
+    CHECK(sinew_world_add_particle(world, &weight, &it.weight) == SINEW_OK);
+    const sinew_particle ends[] = {it.end, it.weight};
+    CHECK(sinew_world_add_constraint(world, SINEW_DISTANCE, ends, 2, &cord, &it.joint) == SINEW_OK);
+    CHECK(sinew_world_pin_particle(world, it.link, &it.pin) == SINEW_OK);
+    CHECK(sinew_world_add_collider(world, &wall, &it.wall) == SINEW_OK);
+    CHECK(sinew_world_find_collider(world, "ground", &it.ground) == SINEW_OK);
+    CHECK(sinew_world_set_gravity(world, (sinew_point){0, -5, 0}) == SINEW_OK);
+    CHECK(sinew_world_set_mass(world, it.end, 7) == SINEW_OK);
+    CHECK(sinew_world_set_user_data(world, SINEW_OF_PARTICLE, it.weight, &failures) == SINEW_OK);
+    return it;
+}
+
+/* The world goes on to the same bits where the edit changes nothing that counts, and all ids hold. */
+static void what_calls_have_added_outlasts_an_edit(void) {
+    const char* const edits[] = {"view.theme=dark", "figures.1.mass=2", "world.damping=0.1"};
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; ++i) {
+        sinew_world world, twin;
+        sinew_particle_state state, of_twin;
+        sinew_constraint_state joint;
+        sinew_figure figure;
+        uint64_t hash = 0, hash_of_twin = 1;
+        void* data = NULL;
+        CHECK(sinew_world_open(rope_and_box, NULL, &world) == SINEW_OK);
+        const struct added it = added_to(world);
+        CHECK(sinew_world_step(world, 30) == SINEW_OK && sinew_world_copy(world, &twin) == SINEW_OK);
+        CHECK(sinew_world_set(world, edits[i]) == SINEW_OK);
+        CHECK(sinew_world_get_particle(world, it.weight, &state) == SINEW_OK);
+        CHECK(sinew_world_get_particle(twin, it.weight, &of_twin) == SINEW_OK);
+        CHECK(memcmp(&state, &of_twin, sizeof state) == 0 && fabs(state.velocity[1]) > 0.1);
+        CHECK(sinew_world_get_particle(world, it.end, &state) == SINEW_OK && fabs(state.inverse_mass * 7 - 1) < 1e-9);
+        CHECK(sinew_world_get_constraint(world, it.joint, &joint) == SINEW_OK);
+        CHECK(sinew_world_figure_at(world, it.figure, &figure) == SINEW_OK && strcmp(figure.name, "second") == 0);
+        CHECK(sinew_world_get_user_data(world, SINEW_OF_PARTICLE, it.weight, &data) == SINEW_OK && data == &failures);
+        CHECK(sinew_world_move_collider(world, it.wall, (sinew_point){-9, 1, 0}, 0, NULL) == SINEW_OK);
+        CHECK(sinew_world_move_collider(world, it.wall, (sinew_point){-9, 0, 0}, 0, NULL) == SINEW_OK);
+        CHECK(sinew_world_move_collider(world, it.ground, (sinew_point){0, -0.5, 0}, 0, NULL) == SINEW_OK);
+        CHECK(sinew_world_step(world, 30) == SINEW_OK && sinew_world_step(twin, 30) == SINEW_OK);
+        CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK);
+        CHECK(sinew_world_state_hash(twin, &hash_of_twin) == SINEW_OK && (i > 0 || hash == hash_of_twin));
+        CHECK(sinew_world_get_particle(world, it.link, &state) == SINEW_OK && state.velocity[1] == 0);
+        CHECK(sinew_world_unpin(world, it.pin) == SINEW_OK);
+        CHECK(sinew_world_remove_figure(world, it.figure) == SINEW_OK);
+        CHECK(sinew_world_remove_constraint(world, it.joint) == SINEW_OK);
+        CHECK(sinew_world_remove_collider(world, it.wall) == SINEW_OK);
+        CHECK(sinew_world_remove_particle(world, it.weight) == SINEW_OK);
+        CHECK(sinew_world_close(world) == SINEW_OK && sinew_world_close(twin) == SINEW_OK);
+    }
+}
+
+static void what_calls_have_removed_stays_away(void) {
+    sinew_world world;
+    sinew_collider ground;
+    sinew_particle start;
+    sinew_particle_state state;
+    sinew_pin pin;
+    uint32_t box;
+    CHECK(sinew_world_open(rope_and_box, NULL, &world) == SINEW_OK);
+    CHECK(sinew_world_find_figure(world, "box", &box) == SINEW_OK && sinew_world_remove_figure(world, box) == SINEW_OK);
+    CHECK(sinew_world_find_collider(world, "ground", &ground) == SINEW_OK);
+    CHECK(sinew_world_remove_collider(world, ground) == SINEW_OK);
+    CHECK(sinew_world_find_particle(world, "rope/start", &start) == SINEW_OK);
+    CHECK(sinew_world_pin_particle(world, start, &pin) == SINEW_OK && sinew_world_unpin(world, pin) == SINEW_OK);
+    CHECK(sinew_world_set(world, "world.damping=0.1") == SINEW_OK);
+    CHECK(sinew_world_find_figure(world, "box", &box) == SINEW_NOT_FOUND);
+    CHECK(sinew_world_find_collider(world, "ground", &ground) == SINEW_NOT_FOUND);
+    CHECK(sinew_world_step(world, 60) == SINEW_OK);
+    CHECK(sinew_world_get_particle(world, start, &state) == SINEW_OK && state.velocity[1] < -5);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
+/* An edit that would lose something is an error, and changes nothing. */
+static void what_cannot_outlast_an_edit_is_an_error(void) {
+    sinew_world world;
+    uint64_t before = 0, after = 1;
+    CHECK(sinew_world_open(rope_and_box, NULL, &world) == SINEW_OK);
+    const struct added it = added_to(world);
+    CHECK(sinew_world_step(world, 10) == SINEW_OK && sinew_world_state_hash(world, &before) == SINEW_OK);
+    CHECK(sinew_world_set(world, "figures.0.segments=9") == SINEW_BAD_ARGUMENT);
+    CHECK(strstr(sinew_message(), "a constraint holds \"rope\"") != NULL);
+    CHECK(sinew_world_set(world, "solver.precision=float") == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_set(world, "figures.1.name=second") == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_state_hash(world, &after) == SINEW_OK && before == after);
+    CHECK(sinew_world_remove_constraint(world, it.joint) == SINEW_OK);
+    CHECK(sinew_world_set(world, "figures.0.segments=9") == SINEW_OK && sinew_world_step(world, 10) == SINEW_OK);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
 /* A filter's caller: a platform that nothing touches. */
 struct level {
     sinew_world world;
@@ -706,6 +816,9 @@ int main(void) {
     figures_are_steered();
     controls_go_with_their_figure();
     controls_outlast_an_edit_of_the_scene();
+    what_calls_have_added_outlasts_an_edit();
+    what_calls_have_removed_stays_away();
+    what_cannot_outlast_an_edit_is_an_error();
     contacts_are_filtered();
     files_are_bytes();
     other_files_are_scenes();
