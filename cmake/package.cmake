@@ -1,4 +1,4 @@
-# cpack -G DEB: the command (sinew), the shared library (libsinew3, by its ABI) and what programs are built with
+# cpack -G DEB: the command (sinew), the shared library (libsinew4, by its ABI) and what programs are built with
 # (libsinew-dev). `./dev package` makes them.
 set(CPACK_PACKAGE_VENDOR "The Sinew authors")
 set(CPACK_PACKAGE_CONTACT "The Sinew authors <sinew@localhost>")

@@ -13,6 +13,7 @@ static class Sinew
     [StructLayout(LayoutKind.Sequential)]
     public struct ParticleState
     {
+        public uint StructSize;
         public Point Position, Velocity;
         public double InverseMass, Radius;
         public uint Figure, IsAsleep;
@@ -22,7 +23,7 @@ static class Sinew
     [DllImport(Library)] static extern int sinew_world_open([MarshalAs(UnmanagedType.LPUTF8Str)] string scene, IntPtr options, out Simulation simulation);
     [DllImport(Library)] static extern int sinew_world_step(Simulation simulation, uint count);
     [DllImport(Library)] static extern int sinew_world_find_particle(Simulation simulation, [MarshalAs(UnmanagedType.LPUTF8Str)] string name, out ulong particle);
-    [DllImport(Library)] static extern int sinew_world_get_particle(Simulation simulation, ulong particle, out ParticleState state);
+    [DllImport(Library)] static extern int sinew_world_get_particle(Simulation simulation, ulong particle, ref ParticleState state);
     [DllImport(Library)] static extern int sinew_world_close(Simulation simulation);
     [DllImport(Library)] static extern IntPtr sinew_message();
 
@@ -41,7 +42,8 @@ static class Sinew
     public static Point Position(Simulation simulation, string name)
     {
         Check(sinew_world_find_particle(simulation, name, out var particle));
-        Check(sinew_world_get_particle(simulation, particle, out var state));
+        var state = new ParticleState { StructSize = (uint)Marshal.SizeOf<ParticleState>() };
+        Check(sinew_world_get_particle(simulation, particle, ref state));
         return state.Position;
     }
 }

@@ -70,7 +70,7 @@ static sinew_status step(sinew_world world, const sinew_moment* moment) {
     TRY(sinew_world_move_collider(world, platform, at, 0, NULL));
 
     sinew_particle feet;
-    sinew_particle_state state;
+    sinew_particle_state state = {.struct_size = sizeof state};
     TRY(sinew_world_find_particle(world, "character/feet", &feet));
     TRY(sinew_world_get_particle(world, feet, &state));
     const uint32_t is_across = state.position[0] > 11;

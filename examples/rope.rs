@@ -9,6 +9,7 @@ struct Simulation {
 
 #[repr(C)]
 struct ParticleState {
+    struct_size: u32,
     position: [f64; 3],
     velocity: [f64; 3],
     inverse_mass: f64,
@@ -52,6 +53,7 @@ impl World {
         let text = CString::new(name).map_err(|error| error.to_string())?;
         let mut particle = 0;
         let mut state: ParticleState = unsafe { std::mem::zeroed() };
+        state.struct_size = std::mem::size_of::<ParticleState>() as u32;
         check(unsafe { sinew_world_find_particle(self.0, text.as_ptr(), &mut particle) })?;
         check(unsafe { sinew_world_get_particle(self.0, particle, &mut state) })?;
         Ok(state.position)

@@ -75,7 +75,8 @@ static sinew_world make_world(void) {
     add(world, "ragdoll", 1.5, 2, NULL, 0);
 
     sinew_particle ball;
-    const sinew_particle_spec heavy = {.position = {-3.5, 2.5, 0}, .mass = 20, .radius = 0.3};
+    const sinew_particle_spec heavy = {
+        .struct_size = sizeof heavy, .position = {-3.5, 2.5, 0}, .mass = 20, .radius = 0.3};
     sinew_world_add_particle(world, &heavy, &ball);
     return world;
 }
@@ -121,7 +122,7 @@ int main(int count, char** words) {
         SDL_RenderReadPixels(renderer, NULL, SDL_PIXELFORMAT_ARGB8888, picture->pixels, picture->pitch);
         SDL_SaveBMP(picture, words[2]);
     }
-    sinew_report report;
+    sinew_report report = {.struct_size = sizeof report};
     sinew_world_get_report(world, &report);
     printf("%.0f steps, stretch %.4f %%\n", report.steps, 100 * report.stretch_max);
     sinew_world_close(world);

@@ -120,7 +120,7 @@ class Calls {
 
     void take(sinew_world simulation) {
         simulations_.push_back(simulation);
-        sinew_info info{};
+        sinew_info info{.struct_size = sizeof info};
         demand(sinew_world_get_info(simulation, &info) == SINEW_OK);
         sinew_particle particle = 0;
         for (std::uint32_t row = 0; row < info.particles; row += 3)
@@ -166,15 +166,16 @@ class Calls {
     void add() {
         const auto which = program_.byte() % 3;
         if (which == 0) {
-            const sinew_particle_spec spec{program_.point(), program_.point(), program_.number(), program_.number()};
+            const sinew_particle_spec spec{sizeof spec, program_.point(), program_.point(), program_.number(),
+                                           program_.number()};
             sinew_particle made = 0;
             if (sinew_world_add_particle(simulation_, &spec, &made) == SINEW_OK) particles_.push_back(made);
         } else if (which == 1) {
             std::array<sinew_particle, 5> of{};
             for (auto& particle : of) particle = program_.id(particles_);
             const auto count = program_.byte() % (of.size() + 1);
-            const sinew_constraint_spec spec{program_.number(), program_.number(), program_.number(), program_.number(),
-                                             program_.number()};
+            const sinew_constraint_spec spec{sizeof spec,       program_.number(), program_.number(),
+                                             program_.number(), program_.number(), program_.number()};
             sinew_constraint made = 0;
             if (sinew_world_add_constraint(simulation_, program_.byte() % 10U, of.data(), count, &spec, &made) ==
                 SINEW_OK)
@@ -237,8 +238,8 @@ class Calls {
     }
 
     void look() {
-        sinew_picture picture{};
-        sinew_view view{};
+        sinew_picture picture{.struct_size = sizeof picture};
+        sinew_view view{.struct_size = sizeof view};
         std::uint32_t count = 0;
         const auto which = program_.byte();
         if (which % 4 == 0) sinew_world_draw(simulation_, 1U + which, 100, which, &picture);
@@ -250,11 +251,11 @@ class Calls {
 
     /// Positions are finite: what is not is frozen where it was.
     static void check(sinew_world simulation) {
-        sinew_info info{};
+        sinew_info info{.struct_size = sizeof info};
         if (sinew_world_step(simulation, 1) != SINEW_OK || sinew_world_get_info(simulation, &info) != SINEW_OK) return;
         for (std::uint32_t row = 0; row < info.particles; ++row) {
             sinew_particle particle = 0;
-            sinew_particle_state state{};
+            sinew_particle_state state{.struct_size = sizeof state};
             demand(sinew_world_particle_at(simulation, row, &particle) == SINEW_OK);
             demand(sinew_world_get_particle(simulation, particle, &state) == SINEW_OK);
             for (const double x : state.position) demand(std::isfinite(x));

@@ -1,6 +1,7 @@
 #include "sinew/scene/text.h"
 #include "sinew/world/colliders.h"
 
+#include "bindings/c/native/sized.h"
 #include "bindings/c/simulation.h"
 
 #include <array>
@@ -38,7 +39,7 @@ template <class WorldT> bool set_sides(const WorldT& world, const FigureTouch& t
 }
 
 sinew_contact no_contact() {
-    return {0, 0, 0, SINEW_NO_ID, SINEW_NO_ID, SINEW_NO_ID, no_figure, no_figure, SINEW_BEGIN, "", {}, {}, 0};
+    return {0, 0, 0, 0, SINEW_NO_ID, SINEW_NO_ID, SINEW_NO_ID, no_figure, no_figure, SINEW_BEGIN, "", {}, {}, 0};
 }
 sinew_point as_point(const std::array<double, 3>& numbers) {
     return {numbers[0], numbers[1], numbers[2]};
@@ -106,10 +107,10 @@ sinew_status sinew_world_contact_count(sinew_world simulation, uint32_t* count) 
 }
 
 sinew_status sinew_world_contact_at(sinew_world simulation, uint32_t index, sinew_contact* contact) {
-    if (!contact) return null_argument();
+    if (const auto status = can_fill(contact)) return status;
     return read(simulation, [&](const Simulation& known, const Session&) {
         if (index >= known.contacts.size()) return fail(SINEW_NOT_FOUND, "there are fewer contacts");
-        *contact = known.contacts[index];
+        fill_sized(known.contacts[index], contact);
         return SINEW_OK;
     });
 }

@@ -3,6 +3,7 @@
 #include "sinew/constraint/kind_table.h"
 #include "sinew/session/pick.h"
 
+#include "bindings/c/native/sized.h"
 #include "bindings/c/simulation.h"
 
 #include <cmath>
@@ -95,17 +96,19 @@ extern "C" {
 // --- particles and constraints
 // -----------------------------------------------------------------------------------------
 
-sinew_status sinew_world_add_particle(sinew_world simulation, const sinew_particle_spec* spec,
+sinew_status sinew_world_add_particle(sinew_world simulation, const sinew_particle_spec* given,
                                       sinew_particle* particle) {
-    if (!spec || !particle) return null_argument();
-    if (!is_finite(spec->position) || !is_finite(spec->velocity)) return not_finite();
-    if (!(spec->mass >= min_mass) || !is_radius(spec->radius))
+    sinew_particle_spec spec;
+    if (const auto status = take(given, spec)) return status;
+    if (!particle) return null_argument();
+    if (!is_finite(spec.position) || !is_finite(spec.velocity)) return not_finite();
+    if (!(spec.mass >= min_mass) || !is_radius(spec.radius))
         return fail(SINEW_BAD_ARGUMENT, "a mass is at least 1e-30, and a radius at least 0 and finite");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
-        *particle = number_of(add_particle(world, ParticleSpec<D, Real>{.position = vector_of<D, Real>(spec->position),
-                                                                        .velocity = vector_of<D, Real>(spec->velocity),
-                                                                        .mass = Real(spec->mass),
-                                                                        .radius = Real(spec->radius)}));
+        *particle = number_of(add_particle(world, ParticleSpec<D, Real>{.position = vector_of<D, Real>(spec.position),
+                                                                        .velocity = vector_of<D, Real>(spec.velocity),
+                                                                        .mass = Real(spec.mass),
+                                                                        .radius = Real(spec.radius)}));
         return SINEW_OK;
     });
 }
@@ -118,8 +121,13 @@ sinew_status sinew_world_remove_particle(sinew_world simulation, sinew_particle 
 }
 
 sinew_status sinew_world_add_constraint(sinew_world simulation, uint32_t kind, const sinew_particle* particles,
-                                        size_t count, const sinew_constraint_spec* spec, sinew_constraint* constraint) {
+                                        size_t count, const sinew_constraint_spec* given,
+                                        sinew_constraint* constraint) {
     if (!particles || !constraint) return null_argument();
+    sinew_constraint_spec taken;
+    if (given)
+        if (const auto status = take(given, taken)) return status;
+    const auto* spec = given ? &taken : nullptr;
     if (spec && !is_possible(*spec)) return fail(SINEW_BAD_ARGUMENT, "a number of the constraint is not possible");
     return in_world(simulation, [&]<int D, class Real>(World<D, Real>& world) {
         if (!takes<D>(kind, count))

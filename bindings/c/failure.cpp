@@ -2,6 +2,8 @@
 
 #include "sinew/scene/utf8.h"
 
+#include "bindings/c/native/sized.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -100,18 +102,20 @@ size_t sinew_diagnostic_count(void) {
 }
 
 sinew_status sinew_diagnostic_at(size_t index, sinew_diagnostic* diagnostic) {
-    if (!diagnostic) return null_argument();
+    if (const auto status = can_fill(diagnostic)) return status;
     if (index >= last().diagnostics.size()) return fail(SINEW_NOT_FOUND, "there are fewer diagnostics");
     const auto& kept = last().diagnostics[index];
-    *diagnostic = {kept.source.c_str(),
-                   kept.path.c_str(),
-                   kept.message.c_str(),
-                   kept.help.c_str(),
-                   kept.text.c_str(),
-                   std::uint32_t(kept.place.line),
-                   std::uint32_t(kept.place.column),
-                   std::uint32_t(kept.length),
-                   kept.is_override};
+    const sinew_diagnostic found{0,
+                                 kept.source.c_str(),
+                                 kept.path.c_str(),
+                                 kept.message.c_str(),
+                                 kept.help.c_str(),
+                                 kept.text.c_str(),
+                                 std::uint32_t(kept.place.line),
+                                 std::uint32_t(kept.place.column),
+                                 std::uint32_t(kept.length),
+                                 kept.is_override};
+    fill_sized(found, diagnostic);
     return SINEW_OK;
 }
 

@@ -1,5 +1,6 @@
 #include "sinew/picture/draw.h"
 
+#include "bindings/c/native/sized.h"
 #include "bindings/c/simulation.h"
 
 #include <cmath>
@@ -25,15 +26,18 @@ void Drawn::hand_out(sinew_picture& out) {
                          item.number,
                          item.across});
     const auto& paper = picture.background;
-    out = {std::uint32_t(picture.width),
-           std::uint32_t(picture.height),
-           {paper.red, paper.green, paper.blue, paper.alpha},
-           reinterpret_cast<const float*>(picture.points.data()),
-           std::uint32_t(picture.points.size()),
-           items.data(),
-           std::uint32_t(items.size()),
-           std::uint32_t(picture.texts.size()),
-           std::uint32_t(picture.images.size())};
+    const sinew_picture made{0,
+                             std::uint32_t(picture.width),
+                             std::uint32_t(picture.height),
+                             {paper.red, paper.green, paper.blue, paper.alpha},
+                             reinterpret_cast<const float*>(picture.points.data()),
+                             std::uint32_t(picture.points.size()),
+                             items.data(),
+                             std::uint32_t(items.size()),
+                             sizeof(sinew_item),
+                             std::uint32_t(picture.texts.size()),
+                             std::uint32_t(picture.images.size())};
+    fill_sized(made, &out);
 }
 
 } // namespace sinew::c
@@ -56,7 +60,7 @@ extern "C" {
 
 sinew_status sinew_world_draw(sinew_world simulation, uint32_t width, uint32_t height, uint32_t overlay_bits,
                               sinew_picture* picture) {
-    if (!picture) return null_argument();
+    if (const auto status = can_fill(picture)) return status;
     if (!is_size(width, height)) return no_size();
     return read(simulation, [&](Simulation& known, const Session& session) {
         auto& shown = known.drawn.picture;

@@ -4,6 +4,7 @@
 #include "sinew/scene/text.h"
 #include "sinew/session/pick.h"
 
+#include "bindings/c/native/sized.h"
 #include "player/joints.h"
 #include "player/scene_edit.h"
 #include "player/tool.h"
@@ -160,23 +161,25 @@ void fill(Player& player, sinew_player_state& state) {
                     timeline.undo_name(),
                     timeline.redo_name()};
     const auto text = [&](std::size_t i) { return player.texts[i].c_str(); };
-    state = {double(timeline.now()),
-             double(timeline.first()),
-             double(timeline.end()),
-             play.clock().scale(),
-             play.clock().paused() ? 1 : play.clock().share(),
-             play.clock().paused(),
-             std::uint32_t(play.pane_count()),
-             play.is_edited(),
-             play.session().holds(),
-             std::uint32_t(play.overlay.to_ulong()),
-             text(0),
-             text(1),
-             text(2),
-             text(3),
-             text(4),
-             text(5),
-             text(6)};
+    const sinew_player_state now{0,
+                                 double(timeline.now()),
+                                 double(timeline.first()),
+                                 double(timeline.end()),
+                                 play.clock().scale(),
+                                 play.clock().paused() ? 1 : play.clock().share(),
+                                 play.clock().paused(),
+                                 std::uint32_t(play.pane_count()),
+                                 play.is_edited(),
+                                 play.session().holds(),
+                                 std::uint32_t(play.overlay.to_ulong()),
+                                 text(0),
+                                 text(1),
+                                 text(2),
+                                 text(3),
+                                 text(4),
+                                 text(5),
+                                 text(6)};
+    fill_sized(now, &state);
 }
 
 } // namespace
@@ -257,7 +260,7 @@ sinew_status sinew_player_advance(sinew_player player, double seconds) {
 }
 
 sinew_status sinew_player_draw(sinew_player player, sinew_picture* picture) {
-    if (!picture) return null_argument();
+    if (const auto status = can_fill(picture)) return status;
     return with(player, [&](Player& known) {
         known.play->draw(known.drawn.picture);
         known.drawn.hand_out(*picture);
@@ -445,7 +448,7 @@ sinew_status sinew_player_theme(sinew_player player, const char* theme) {
 }
 
 sinew_status sinew_player_get_state(sinew_player player, sinew_player_state* state) {
-    if (!state) return null_argument();
+    if (const auto status = can_fill(state)) return status;
     return with(player, [&](Player& known) { fill(known, *state); });
 }
 

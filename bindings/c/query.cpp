@@ -3,6 +3,7 @@
 #include "sinew/session/pick.h"
 #include "sinew/world/measure.h"
 
+#include "bindings/c/native/sized.h"
 #include "bindings/c/simulation.h"
 
 #include <algorithm>
@@ -26,11 +27,11 @@ template <class Visit> auto in_world(const Session& session, Visit&& visit) {
 }
 
 template <int D, class Real> sinew_view view_of(const std::vector<Vec<D, Real>>& column) {
-    return {column.data(), std::uint32_t(column.size()), D, sizeof(Real), 0};
+    return {0, column.data(), std::uint32_t(column.size()), D, sizeof(Real), 0};
 }
 template <class Number> sinew_view view_of(const std::vector<Number>& column, std::uint32_t components = 1) {
-    return {column.data(), std::uint32_t(column.size() / components), components, sizeof(Number),
-            std::is_integral_v<Number>};
+    return {0,          column.data(),  std::uint32_t(column.size() / components),
+            components, sizeof(Number), std::is_integral_v<Number>};
 }
 
 /// Rows of the ends of all distances, in `rows`.
@@ -115,7 +116,8 @@ template <class WorldT> std::optional<sinew_view> column_of(const WorldT& world,
 
 template <class WorldT> sinew_particle_state state_of(const WorldT& world, Row row) {
     const auto& particles = world.particles;
-    sinew_particle_state state{{},
+    sinew_particle_state state{0,
+                               {},
                                {},
                                double(particles.inverse_mass[row]),
                                double(particles.radius[row]),
@@ -147,39 +149,41 @@ sinew_status no_kind() {
 extern "C" {
 
 sinew_status sinew_world_get_info(sinew_world simulation, sinew_info* info) {
-    if (!info) return null_argument();
+    if (const auto status = can_fill(info)) return status;
     return read(simulation, [&](const Simulation& known, const Session& session) {
         const auto& scene = session.scene();
         const auto units = scene.measures();
-        *info = {};
+        sinew_info now{};
         in_world(session, [&]<int D, class Real>(const World<D, Real>& world) {
-            info->dimension = D;
-            info->real_bytes = sizeof(Real);
-            info->particles = std::uint32_t(world.particles.size());
-            info->constraints = count_constraints(world);
-            info->figures = std::uint32_t(world.figures.size());
-            for (Row row = 0; row < world.particles.size(); ++row) info->asleep += world.particles.asleep[row] != 0;
+            now.dimension = D;
+            now.real_bytes = sizeof(Real);
+            now.particles = std::uint32_t(world.particles.size());
+            now.constraints = count_constraints(world);
+            now.figures = std::uint32_t(world.figures.size());
+            for (Row row = 0; row < world.particles.size(); ++row) now.asleep += world.particles.asleep[row] != 0;
         });
-        info->is_classic = scene.solver.mode == "classic";
-        info->y_is_down = scene.units.up == "-y";
-        info->read_only = !known.own;
-        info->rate = scene.solver.rate;
-        info->seconds = scene.seconds;
-        info->per_metre = units.per_metre;
-        info->per_kilogram = units.per_kilogram;
-        info->per_second = units.per_second;
-        info->view_width = std::uint32_t(scene.view.size[0]);
-        info->view_height = std::uint32_t(scene.view.size[1]);
+        now.is_classic = scene.solver.mode == "classic";
+        now.y_is_down = scene.units.up == "-y";
+        now.read_only = !known.own;
+        now.rate = scene.solver.rate;
+        now.seconds = scene.seconds;
+        now.per_metre = units.per_metre;
+        now.per_kilogram = units.per_kilogram;
+        now.per_second = units.per_second;
+        now.view_width = std::uint32_t(scene.view.size[0]);
+        now.view_height = std::uint32_t(scene.view.size[1]);
+        fill_sized(now, info);
         return SINEW_OK;
     });
 }
 
 sinew_status sinew_world_get_report(sinew_world simulation, sinew_report* report) {
-    if (!report) return null_argument();
+    if (const auto status = can_fill(report)) return status;
     return read(simulation, [&](const Simulation&, const Session& session) {
         const auto now = session.report();
-        *report = {now.seconds,     double(now.steps), now.kinetic,      now.potential, now.stored,
-                   now.energy_lost, now.stretch_max,   now.stretch_mean, now.max_speed};
+        const sinew_report found{0,          now.seconds,     double(now.steps), now.kinetic,      now.potential,
+                                 now.stored, now.energy_lost, now.stretch_max,   now.stretch_mean, now.max_speed};
+        fill_sized(found, report);
         return SINEW_OK;
     });
 }
@@ -193,11 +197,11 @@ sinew_status sinew_world_state_hash(sinew_world simulation, uint64_t* hash) {
 }
 
 sinew_status sinew_world_get_column(sinew_world simulation, sinew_column column, sinew_view* view) {
-    if (!view) return null_argument();
+    if (const auto status = can_fill(view)) return status;
     return read(simulation, [&](Simulation& known, const Session& session) {
         const auto found = in_world(session, [&](const auto& world) { return column_of(world, int(column), known); });
         if (!found) return fail(SINEW_BAD_ARGUMENT, "no such column");
-        *view = *found;
+        fill_sized(*found, view);
         return SINEW_OK;
     });
 }
@@ -251,12 +255,12 @@ sinew_status sinew_world_particle_name(sinew_world simulation, sinew_particle pa
 }
 
 sinew_status sinew_world_get_particle(sinew_world simulation, sinew_particle particle, sinew_particle_state* state) {
-    if (!state) return null_argument();
+    if (const auto status = can_fill(state)) return status;
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
             const auto row = row_of(world, id_of<ParticleTag>(particle));
             if (!row) return bad_id("particle");
-            *state = state_of(world, *row);
+            fill_sized(state_of(world, *row), state);
             return SINEW_OK;
         });
     });
@@ -278,12 +282,12 @@ sinew_status sinew_world_find_constraint(sinew_world simulation, const char* nam
 
 sinew_status sinew_world_get_constraint(sinew_world simulation, sinew_constraint constraint,
                                         sinew_constraint_state* state) {
-    if (!state) return null_argument();
+    if (const auto status = can_fill(state)) return status;
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
             const auto found = constraint_state(world, constraint_of(constraint));
             if (!found) return bad_id("constraint");
-            *state = {found->measure, found->error, found->strain, found->tension};
+            fill_sized(sinew_constraint_state{0, found->measure, found->error, found->strain, found->tension}, state);
             return SINEW_OK;
         });
     });
@@ -319,14 +323,15 @@ sinew_status sinew_world_constraint_at(sinew_world simulation, uint32_t kind, ui
 // --- figures and events ----------------------------------------------------------------------------------------------
 
 sinew_status sinew_world_figure_at(sinew_world simulation, uint32_t index, sinew_figure* figure) {
-    if (!figure) return null_argument();
+    if (const auto status = can_fill(figure)) return status;
     return read(simulation, [&](const Simulation&, const Session& session) {
         return in_world(session, [&](const auto& world) {
             if (index >= world.figures.size() || !world.figures[index].in_use())
                 return fail(SINEW_NOT_FOUND, "no figure has this index");
             const auto& found = world.figures[index];
-            *figure = {found.name.c_str(), found.prefab.c_str(), std::uint32_t(found.particles.size()),
-                       found.quarantined};
+            fill_sized(sinew_figure{0, found.name.c_str(), found.prefab.c_str(), std::uint32_t(found.particles.size()),
+                                    found.quarantined},
+                       figure);
             return SINEW_OK;
         });
     });
@@ -341,12 +346,13 @@ sinew_status sinew_world_event_count(sinew_world simulation, uint32_t* count) {
 }
 
 sinew_status sinew_world_event_at(sinew_world simulation, uint32_t index, sinew_event* event) {
-    if (!event) return null_argument();
+    if (const auto status = can_fill(event)) return status;
     return read(simulation, [&](const Simulation&, const Session& session) {
         if (index >= session.happenings().size()) return fail(SINEW_NOT_FOUND, "there are fewer events");
         const auto& found = session.happenings()[index];
-        *event = {found.seconds,      found.what.c_str(), found.where.c_str(), std::uint32_t(found.islands),
-                  found.with.c_str(), found.impulse};
+        fill_sized(sinew_event{0, found.seconds, found.what.c_str(), found.where.c_str(), std::uint32_t(found.islands),
+                               found.with.c_str(), found.impulse},
+                   event);
         return SINEW_OK;
     });
 }

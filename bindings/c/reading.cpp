@@ -3,6 +3,7 @@
 #include "sinew/scene/text.h"
 
 #include "bindings/c/failure.h"
+#include "bindings/c/native/sized.h"
 
 #include <algorithm>
 
@@ -33,19 +34,21 @@ sinew_status read_files(const sinew_open_options& options, SceneFile& file) {
 
 } // namespace
 
-sinew_status SceneFile::read(const char* text, const sinew_open_options* options, SceneFile& file) {
+sinew_status SceneFile::read(const char* text, const sinew_open_options* given, SceneFile& file) {
     if (!text) return null_argument();
+    sinew_open_options options{};
+    if (given)
+        if (const auto status = take(given, options)) return status;
     file.text = text;
-    file.name = options && options->name ? options->name : "scene.json";
-    if (!options) return SINEW_OK;
-    const bool missing = (options->override_count && !options->overrides) ||
-                         (options->image_count && !options->images) || (options->model_count && !options->models);
+    file.name = options.name ? options.name : "scene.json";
+    const bool missing = (options.override_count && !options.overrides) || (options.image_count && !options.images) ||
+                         (options.model_count && !options.models);
     if (missing) return null_argument();
-    for (std::size_t i = 0; i < options->override_count; ++i) {
-        if (!options->overrides[i]) return null_argument();
-        file.overrides.push_back({options->overrides[i]});
+    for (std::size_t i = 0; i < options.override_count; ++i) {
+        if (!options.overrides[i]) return null_argument();
+        file.overrides.push_back({options.overrides[i]});
     }
-    return read_files(*options, file);
+    return read_files(options, file);
 }
 
 /// Images have sizes only: whoever paints has the pixels. A missing one is drawn as a plain shape of its aspect.

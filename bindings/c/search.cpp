@@ -1,5 +1,6 @@
 #include "sinew/world/query.h"
 
+#include "bindings/c/native/sized.h"
 #include "bindings/c/simulation.h"
 
 #include <cmath>
@@ -59,10 +60,12 @@ template <class Ids> void hand_out(const Ids& found, std::uint64_t* ids, std::si
 template <class Search>
 sinew_status search_region(sinew_world simulation, const sinew_region* region, std::uint64_t* ids, std::size_t room,
                            std::size_t* count, const Search& search) {
-    if (!region || !count || (room > 0 && !ids)) return null_argument();
-    if (!is_region(*region)) return no_reach();
+    sinew_region given;
+    if (const auto status = take(region, given)) return status;
+    if (!count || (room > 0 && !ids)) return null_argument();
+    if (!is_region(given)) return no_reach();
     return ask(simulation, [&]<int D, class Real>(const World<D, Real>& world) {
-        hand_out(search(world, shape_of<D, Real>(*region), pose_of<D, Real>(*region)), ids, room, *count);
+        hand_out(search(world, shape_of<D, Real>(given), pose_of<D, Real>(given)), ids, room, *count);
         return SINEW_OK;
     });
 }
@@ -100,19 +103,21 @@ sinew_status sinew_world_nearest_link(sinew_world simulation, sinew_point at, do
 
 sinew_status sinew_world_cast_ray(sinew_world simulation, sinew_point from, sinew_point to, double radius,
                                   uint32_t mask, sinew_ray_hit* hit) {
-    if (!hit) return null_argument();
+    if (const auto status = can_fill(hit)) return status;
     if (!is_finite(from) || !is_finite(to) || !is_reach(radius)) return no_reach();
     return ask(simulation, [&]<int D, class Real>(const World<D, Real>& world) {
         const auto start = vector_of<D, Real>(from);
         const collide::Filter filter{.layers = ~std::uint32_t(0), .mask = mask};
         const auto met = cast_ray(world, start, vector_of<D, Real>(to) - start, Real(radius), filter);
         if (!met) return fail(SINEW_NOT_FOUND, "nothing is on the way");
-        *hit = {double(met->time),
-                point_in_c(met->point),
-                point_in_c(met->normal),
-                met->is_collider || met->is_plane ? SINEW_NO_ID : number_of(met->particle),
-                met->is_collider ? number_of(met->collider) : SINEW_NO_ID,
-                met->line_end ? number_of(*met->line_end) : SINEW_NO_ID};
+        const sinew_ray_hit found{0,
+                                  double(met->time),
+                                  point_in_c(met->point),
+                                  point_in_c(met->normal),
+                                  met->is_collider || met->is_plane ? SINEW_NO_ID : number_of(met->particle),
+                                  met->is_collider ? number_of(met->collider) : SINEW_NO_ID,
+                                  met->line_end ? number_of(*met->line_end) : SINEW_NO_ID};
+        fill_sized(found, hit);
         return SINEW_OK;
     });
 }

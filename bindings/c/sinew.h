@@ -20,6 +20,16 @@
  * An object may be used by one thread at a time; different objects by different threads. The WebAssembly module has one
  * thread.
  *
+ * A struct that begins with `struct_size` grows at its end in later versions, those that are filled as those that are
+ * read; the others never do. The caller writes sizeof(the struct) there, and 0 into every field that is to have its
+ * default:
+ *     sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -9.81, 0}};
+ *     sinew_report report = {.struct_size = sizeof report};
+ * Programs and libraries of different versions of one SINEW_ABI go together. Of a struct that is read, fields that the
+ * program does not know have their defaults, and those that the library does not know may be 0 alone. Of a struct that
+ * is filled, the library writes no more than the program knows, and 0 into fields that the library does not know.
+ * SINEW_BAD_ARGUMENT for anything else, and for a size below that of the struct's first version.
+ *
  * Quantities are in the units of the scene, angles in radians. Points have three numbers; in 2D the third is 0. */
 #ifndef SINEW_C_H
 #define SINEW_C_H
@@ -42,7 +52,7 @@ extern "C" {
 #endif
 
 /* Version of this header: raised by every change that breaks a compiled caller. */
-#define SINEW_ABI 3u
+#define SINEW_ABI 4u
 
 /* The library's ABI; a caller compiled with another SINEW_ABI must not go on. */
 SINEW_API uint32_t sinew_abi(void);
@@ -76,6 +86,7 @@ SINEW_API const char* sinew_message(void);
 
 /* An error in a scene, for its author. Valid until the next scene is read in this thread. */
 typedef struct sinew_diagnostic {
+    uint32_t struct_size;
     const char* source;   /* name of the file, or "<command line>" of an override */
     const char* path;     /* JSON pointer: "/figures/0/mass" */
     const char* message;  /* "unknown property \"masss\"" */
@@ -112,8 +123,9 @@ typedef struct sinew_model_file {
     const char* text; /* Wavefront OBJ */
 } sinew_model_file;
 
-/* Everything but the text of a scene. All zero is a good start. */
+/* Everything but the text of a scene. All zero but `struct_size` is a good start. */
 typedef struct sinew_open_options {
+    uint32_t struct_size;
     const char* name;             /* of the file, for messages; null: "scene.json" */
     const char* const* overrides; /* "path=value" as on the command line: "solver.substeps=16", "mode=classic" */
     size_t override_count;
@@ -160,6 +172,7 @@ SINEW_API sinew_status sinew_world_run_until(sinew_world world, double seconds);
 /* --- reading ----------------------------------------------------------------------------------------------------- */
 
 typedef struct sinew_info {
+    uint32_t struct_size;
     uint32_t dimension;  /* 2 or 3 */
     uint32_t real_bytes; /* 4: float, 8: double */
     uint32_t particles;  /* rows of the columns */
@@ -180,6 +193,7 @@ typedef struct sinew_info {
 SINEW_API sinew_status sinew_world_get_info(sinew_world world, sinew_info* info);
 
 typedef struct sinew_report {
+    uint32_t struct_size;
     double seconds; /* simulated time, seconds */
     double steps;
     double kinetic, potential, stored, energy_lost; /* energies */
@@ -211,6 +225,7 @@ typedef enum sinew_column SINEW_INT {
 /* Memory of the world, not a copy: valid until the next call that steps or changes it. In WebAssembly any call may
  * grow the memory and so detach typed arrays made on it. */
 typedef struct sinew_view {
+    uint32_t struct_size;
     const void* data;
     uint32_t rows;
     uint32_t components;   /* numbers a row */
@@ -235,6 +250,7 @@ SINEW_API sinew_status sinew_world_find_constraint(sinew_world world, const char
 SINEW_API sinew_status sinew_world_particle_name(sinew_world world, sinew_particle particle, const char** name);
 
 typedef struct sinew_particle_state {
+    uint32_t struct_size;
     double position[3];
     double velocity[3];
     double inverse_mass; /* 0: immovable */
@@ -246,6 +262,7 @@ SINEW_API sinew_status sinew_world_get_particle(sinew_world world, sinew_particl
                                                 sinew_particle_state* state);
 
 typedef struct sinew_constraint_state {
+    uint32_t struct_size;
     double measure; /* in the kind's unit: length, radians, area, volume */
     double error;   /* distance outside the limits; negative below the lower limit */
     double strain;  /* error as a fraction of the violated limit; of angles the error itself */
@@ -259,6 +276,7 @@ SINEW_API sinew_status sinew_world_constraint_at(sinew_world world, uint32_t kin
                                                  sinew_constraint* constraint);
 
 typedef struct sinew_figure {
+    uint32_t struct_size;
     const char* name;
     const char* prefab;
     uint32_t particles;
@@ -268,6 +286,7 @@ typedef struct sinew_figure {
 SINEW_API sinew_status sinew_world_figure_at(sinew_world world, uint32_t index, sinew_figure* figure);
 
 typedef struct sinew_event {
+    uint32_t struct_size;
     double seconds;    /* simulated time */
     const char* what;  /* "torn", "parted", "quarantined", "touched" (a sensor), the phase of a contact that the scene
                           waits for ("begin", "persist", "end", "hit"), or the name of a scene event */
@@ -295,6 +314,7 @@ typedef struct sinew_point {
 /* A contact in the last step. A hit is one whose `blow` is above a number of the caller's, and `blow_before` was not.
  */
 typedef struct sinew_contact {
+    uint32_t struct_size;
     double impulse;     /* in the last step, newton seconds (or the scene's unit of impulse); friction is not counted */
     double blow;        /* the same; in the step after the touch began, that of both steps: a blow may take two */
     double blow_before; /* in the step before */
@@ -356,6 +376,7 @@ SINEW_API sinew_status sinew_world_nearest_link(sinew_world world, sinew_point a
                                                 double* t, double* distance);
 
 typedef struct sinew_ray_hit {
+    uint32_t struct_size;
     double share; /* of the way, 0 to 1 */
     sinew_point point, normal;
     sinew_particle particle; /* SINEW_NO_ID: a collider was met; or a plane of world.bounds, if both are */
@@ -371,6 +392,7 @@ SINEW_API sinew_status sinew_world_cast_ray(sinew_world world, sinew_point from,
 
 /* A sphere (circle), or a box if `half` is not zero, turned about its centre. */
 typedef struct sinew_region {
+    uint32_t struct_size;
     sinew_point center;
     sinew_point half; /* half of the edges of a box; all zero: a sphere */
     double radius;    /* of a sphere */
@@ -400,6 +422,7 @@ SINEW_API sinew_status sinew_world_set(sinew_world world, const char* override_p
 /* --- edits ------------------------------------------------------------------------------------------------------- */
 
 typedef struct sinew_particle_spec {
+    uint32_t struct_size;
     sinew_point position, velocity;
     double mass; /* 1e-30 and above; INFINITY: immovable */
     double radius;
@@ -409,6 +432,7 @@ SINEW_API sinew_status sinew_world_add_particle(sinew_world world, const sinew_p
 SINEW_API sinew_status sinew_world_remove_particle(sinew_world world, sinew_particle particle);
 
 typedef struct sinew_constraint_spec {
+    uint32_t struct_size;
     double low, high;       /* limits of the measure; low > high: the present measure exactly */
     double compliance;      /* 1 / stiffness; 0: rigid */
     double max_force;       /* 0: without limit */
@@ -488,6 +512,7 @@ typedef struct sinew_controls {
 SINEW_API sinew_status sinew_world_steer(sinew_world world, uint32_t figure, const sinew_controls* controls);
 
 typedef struct sinew_footing {
+    uint32_t struct_size;
     uint32_t on_ground;  /* 1: a character stands or walks */
     uint32_t is_holding; /* 1: it hangs on a rope or a plank */
     uint32_t figure;     /* the ground's, or the held one's; ~0: a collider, a plane, or nothing */
@@ -521,12 +546,14 @@ typedef struct sinew_item {
 /* A display list in pixels: x right, y down, origin at the top left. Items are painted in order. Valid until the object
  * is drawn again or closed. */
 typedef struct sinew_picture {
+    uint32_t struct_size;
     uint32_t width, height; /* pixels */
     float background[4];
     const float* points; /* two floats a point */
     uint32_t point_count;
     const sinew_item* items;
     uint32_t item_count;
+    uint32_t item_bytes; /* from one item to the next: later versions have longer ones */
     uint32_t text_count;
     uint32_t image_count;
 } sinew_picture;
@@ -605,6 +632,7 @@ SINEW_API sinew_status sinew_player_overlays(sinew_player player, uint32_t overl
 SINEW_API sinew_status sinew_player_theme(sinew_player player, const char* theme);
 
 typedef struct sinew_player_state {
+    uint32_t struct_size;
     double step, first_step, end_step; /* of the timeline: now, earliest and latest that can be restored */
     double time_scale;
     double share; /* of the step in progress, 0 to 1 */
@@ -627,13 +655,6 @@ SINEW_API sinew_status sinew_player_get_state(sinew_player player, sinew_player_
 SINEW_API sinew_status sinew_player_next_event(sinew_player player, const char** json);
 
 /* --- worlds built by calls --------------------------------------------------------------------------------------- */
-
-/* A struct that begins with `struct_size` grows at its end in later versions. The caller writes sizeof(the struct)
- * there, and 0 into every field that is to have its default:
- *     sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -9.81, 0}};
- * Programs and libraries of different versions of one SINEW_ABI go together: fields that a program does not know have
- * their defaults, and fields that the library does not know may be 0 alone. SINEW_BAD_ARGUMENT for one that is not, and
- * for a size below that of the struct's first version. */
 
 typedef struct sinew_world_spec {
     uint32_t struct_size;

@@ -37,7 +37,7 @@ sinew_status sinew_world_steer(sinew_world simulation, uint32_t figure, const si
 }
 
 sinew_status sinew_world_get_footing(sinew_world simulation, uint32_t figure, sinew_footing* footing) {
-    if (!footing) return null_argument();
+    if (const auto status = can_fill(footing)) return status;
     return read(simulation, [&](const Simulation&, const Session& session) {
         const auto steered = session.steering().steered(session.scene(), session.world(), FigureIndex(figure));
         const auto* character = steered ? std::get_if<Character>(&*steered) : nullptr;
@@ -51,8 +51,9 @@ sinew_status sinew_world_get_footing(sinew_world simulation, uint32_t figure, si
                     return Footing{};
             },
             session.world());
-        *footing = {found.on_ground ? 1u : 0u, found.is_holding ? 1u : 0u,
-                    found.figure == no_figure ? ~std::uint32_t(0) : std::uint32_t(found.figure)};
+        fill_sized(sinew_footing{0, found.on_ground ? 1u : 0u, found.is_holding ? 1u : 0u,
+                                 found.figure == no_figure ? ~std::uint32_t(0) : std::uint32_t(found.figure)},
+                   footing);
         return SINEW_OK;
     });
 }

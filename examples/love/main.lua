@@ -4,7 +4,7 @@ local ffi = require("ffi")
 ffi.cdef [[
 typedef struct { uint32_t id; } sinew_world;
 typedef struct { double x, y, z; } sinew_point;
-typedef struct { const void* data; uint32_t rows, components, number_bytes, is_integer; } sinew_view;
+typedef struct { uint32_t struct_size; const void* data; uint32_t rows, components, number_bytes, is_integer; } sinew_view;
 int sinew_world_open(const char* scene, const void* options, sinew_world* simulation);
 int sinew_world_step(sinew_world simulation, uint32_t count);
 int sinew_world_get_column(sinew_world simulation, int column, sinew_view* view);
@@ -30,7 +30,7 @@ local world = ffi.new("sinew_world[1]")
 check(sinew.sinew_world_open(scene, nil, world))
 
 local function column(number, type)
-    local view = ffi.new("sinew_view[1]")
+    local view = ffi.new("sinew_view[1]", { { struct_size = ffi.sizeof("sinew_view") } })
     check(sinew.sinew_world_get_column(world[0], number, view))
     return ffi.cast(type, view[0].data), view[0].rows
 end

@@ -13,7 +13,7 @@ static const char* const pendulum =
 
 static sinew_world opened(void) {
     const char* const overrides[] = {"precision=double", "solver.substeps=32"};
-    const sinew_open_options options = {.overrides = overrides, .override_count = 2};
+    const sinew_open_options options = {.struct_size = sizeof options, .overrides = overrides, .override_count = 2};
     sinew_world simulation = {0};
     CHECK(sinew_world_open(pendulum, &options, &simulation) == SINEW_OK);
     return simulation;
@@ -23,7 +23,7 @@ static sinew_world opened(void) {
 static void a_pendulum_keeps_its_energy(void) {
     const sinew_world simulation = opened();
     sinew_particle bob = SINEW_NO_ID;
-    sinew_particle_state state;
+    sinew_particle_state state = {.struct_size = sizeof state};
     CHECK(sinew_world_find_particle(simulation, "pendulum/bob", &bob) == SINEW_OK);
     CHECK(sinew_world_run_until(simulation, 0.3) == SINEW_OK);
     CHECK(sinew_world_run_until(simulation, 1e300) == SINEW_BAD_ARGUMENT);
@@ -36,7 +36,7 @@ static void a_pendulum_keeps_its_energy(void) {
 
 static void columns_are_the_state(void) {
     const sinew_world simulation = opened();
-    sinew_view view;
+    sinew_view view = {.struct_size = sizeof view};
     CHECK(sinew_world_get_column(simulation, SINEW_POSITION, &view) == SINEW_OK);
     CHECK(view.rows == 2 && view.components == 2 && view.number_bytes == sizeof(double) && !view.is_integer);
     CHECK(((const double*)view.data)[2] == 1);
@@ -76,7 +76,7 @@ static void a_saved_simulation_goes_on(void) {
 
 static void errors_have_their_places(void) {
     sinew_world none = {12345};
-    sinew_diagnostic error;
+    sinew_diagnostic error = {.struct_size = sizeof error};
     CHECK(sinew_world_open("{\"sinew\": 1,\n \"figurs\": []}", NULL, &none) == SINEW_BAD_SCENE);
     CHECK(none.id == 12345);
     CHECK(sinew_diagnostic_count() == 1);
@@ -93,7 +93,7 @@ static void edits_are_undone_by_their_ids(void) {
     sinew_particle bob, weight;
     sinew_constraint rod;
     sinew_pin pin;
-    const sinew_particle_spec spec = {.position = {2, 0, 0}, .mass = 3};
+    const sinew_particle_spec spec = {.struct_size = sizeof spec, .position = {2, 0, 0}, .mass = 3};
     CHECK(sinew_world_find_particle(simulation, "pendulum/bob", &bob) == SINEW_OK);
     CHECK(sinew_world_add_particle(simulation, &spec, &weight) == SINEW_OK);
     const sinew_particle ends[] = {bob, weight};
@@ -127,8 +127,8 @@ static void made_up_ids_and_handles_do_nothing(void) {
         random = random * 6364136223846793005u + 1442695040888963407u;
         const uint64_t id = i < 64 ? (uint64_t)1 << i : random;
         if (id == pivot || id == bob || id == rod) continue; /* no made-up one */
-        sinew_particle_state particle;
-        sinew_constraint_state constraint;
+        sinew_particle_state particle = {.struct_size = sizeof particle};
+        sinew_constraint_state constraint = {.struct_size = sizeof constraint};
         const char* name;
         CHECK(sinew_world_get_particle(simulation, id, &particle) == SINEW_BAD_ID);
         CHECK(sinew_world_particle_name(simulation, id, &name) == SINEW_BAD_ID);
@@ -149,7 +149,7 @@ static void made_up_ids_and_handles_do_nothing(void) {
 static void null_pointers_are_refused(void) {
     const sinew_world simulation = opened();
     sinew_world out;
-    const sinew_open_options holes = {.override_count = 1};
+    const sinew_open_options holes = {.struct_size = sizeof holes, .override_count = 1};
     CHECK(sinew_world_open(NULL, NULL, &out) == SINEW_BAD_ARGUMENT);
     CHECK(sinew_world_open(pendulum, NULL, NULL) == SINEW_BAD_ARGUMENT);
     CHECK(sinew_world_open(pendulum, &holes, &out) == SINEW_BAD_ARGUMENT);
@@ -162,7 +162,7 @@ static void null_pointers_are_refused(void) {
 
 static void a_picture_is_a_list_of_items(void) {
     const sinew_world simulation = opened();
-    sinew_picture picture;
+    sinew_picture picture = {.struct_size = sizeof picture};
     CHECK(sinew_world_draw(simulation, 400, 400, 0, &picture) == SINEW_OK);
     CHECK(picture.item_count > 0 && picture.width == 400);
     int rods = 0;
@@ -181,7 +181,7 @@ static void a_picture_is_a_list_of_items(void) {
 static void a_player_owns_its_simulation(void) {
     sinew_player player;
     sinew_world simulation;
-    sinew_player_state state;
+    sinew_player_state state = {.struct_size = sizeof state};
     const char* event;
     CHECK(sinew_player_create(pendulum, NULL, &player) == SINEW_OK);
     CHECK(sinew_player_resize(player, 400, 400, 1) == SINEW_OK);
@@ -198,7 +198,7 @@ static void a_player_owns_its_simulation(void) {
     CHECK(sinew_player_next_event(player, &event) == SINEW_OK && strstr(event, "grab") != NULL);
     CHECK(sinew_player_do(player, "back") == SINEW_OK && sinew_player_do(player, "save") == SINEW_BAD_ARGUMENT);
     CHECK(sinew_player_close(player) == SINEW_OK);
-    sinew_info info;
+    sinew_info info = {.struct_size = sizeof info};
     CHECK(sinew_world_get_info(simulation, &info) == SINEW_BAD_HANDLE &&
           sinew_player_close(player) == SINEW_BAD_HANDLE);
 }
@@ -213,8 +213,8 @@ static const char* const ball =
 
 static void contacts_begin_persist_and_end(void) {
     sinew_world simulation;
-    sinew_contact contact;
-    sinew_event event;
+    sinew_contact contact = {.struct_size = sizeof contact};
+    sinew_event event = {.struct_size = sizeof event};
     sinew_particle particle;
     uint32_t count = 9;
     CHECK(sinew_world_open(ball, NULL, &simulation) == SINEW_OK);
@@ -250,9 +250,9 @@ static void contacts_begin_persist_and_end(void) {
 static void what_rests_falls_asleep(void) {
     sinew_world simulation;
     sinew_particle particle;
-    sinew_particle_state state;
-    sinew_info info;
-    sinew_view view;
+    sinew_particle_state state = {.struct_size = sizeof state};
+    sinew_info info = {.struct_size = sizeof info};
+    sinew_view view = {.struct_size = sizeof view};
     CHECK(sinew_world_open(ball, NULL, &simulation) == SINEW_OK);
     CHECK(sinew_world_find_particle(simulation, "ball/p", &particle) == SINEW_OK);
     CHECK(sinew_world_get_info(simulation, &info) == SINEW_OK && info.asleep == 0);
@@ -283,12 +283,13 @@ static void queries_find_the_nearest_and_the_first(void) {
     CHECK(link == rod && fabs(t - 0.25) < 1e-12 && fabs(distance - 0.1) < 1e-12);
     CHECK(sinew_world_nearest_link(simulation, (sinew_point){NAN, 0, 0}, 1, &link, NULL, NULL) == SINEW_BAD_ARGUMENT);
 
-    sinew_region region = {.center = {1, 0, 0}, .radius = 0.1};
+    sinew_region region = {.struct_size = sizeof region, .center = {1, 0, 0}, .radius = 0.1};
     CHECK(sinew_world_overlapping_particles(simulation, &region, found, 2, &count) == SINEW_OK);
     CHECK(count == 1 && found[0] == bob);
     CHECK(sinew_world_overlapping_links(simulation, &region, links, 1, &count) == SINEW_OK && count == 1 &&
           links[0] == rod);
-    region = (sinew_region){.center = {0.5, 0, 0}, .half = {0.8, 0.1, 0}, .turn = 1.5707963};
+    region =
+        (sinew_region){.struct_size = sizeof region, .center = {0.5, 0, 0}, .half = {0.8, 0.1, 0}, .turn = 1.5707963};
     CHECK(sinew_world_overlapping_particles(simulation, &region, found, 2, &count) == SINEW_OK && count == 0);
     region.turn = 0;
     CHECK(sinew_world_overlapping_particles(simulation, &region, NULL, 0, &count) == SINEW_OK && count == 2);
@@ -300,7 +301,7 @@ static void queries_find_the_nearest_and_the_first(void) {
 
 static void rays_meet_balls_and_floors(void) {
     sinew_world simulation;
-    sinew_ray_hit hit;
+    sinew_ray_hit hit = {.struct_size = sizeof hit};
     sinew_particle particle;
     sinew_collider wall;
     CHECK(sinew_world_open(ball, NULL, &simulation) == SINEW_OK);
@@ -326,7 +327,7 @@ static void a_moved_collider_carries(void) {
     sinew_world simulation;
     sinew_collider wall;
     sinew_particle particle;
-    sinew_particle_state state;
+    sinew_particle_state state = {.struct_size = sizeof state};
     CHECK(sinew_world_open(ball, NULL, &simulation) == SINEW_OK);
     CHECK(sinew_world_find_collider(simulation, "floor", &wall) == SINEW_OK);
     CHECK(sinew_world_find_particle(simulation, "ball/p", &particle) == SINEW_OK);

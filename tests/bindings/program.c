@@ -14,7 +14,7 @@ static sinew_world created(void) {
 }
 
 static double height_of(sinew_world world, sinew_particle particle) {
-    sinew_particle_state state = {.position = {0, NAN, 0}};
+    sinew_particle_state state = {.struct_size = sizeof state, .position = {0, NAN, 0}};
     CHECK(sinew_world_get_particle(world, particle, &state) == SINEW_OK);
     return state.position[1];
 }
@@ -22,7 +22,7 @@ static double height_of(sinew_world world, sinew_particle particle) {
 /* y = -g t^2 / 2; a step of Verlet's is exact for a constant force, from rest on. */
 static void an_empty_world_falls(void) {
     const sinew_world world = created();
-    const sinew_particle_spec spec = {.mass = 2};
+    const sinew_particle_spec spec = {.struct_size = sizeof spec, .mass = 2};
     sinew_particle stone;
     CHECK(sinew_world_add_particle(world, &spec, &stone) == SINEW_OK);
     CHECK(sinew_world_step(world, 60) == SINEW_OK);
@@ -63,6 +63,24 @@ static void structs_of_a_later_version_are_read_as_far_as_they_are_known(void) {
     CHECK(sinew_world_create(&longer.spec, &world) == SINEW_BAD_ARGUMENT);
 }
 
+/* A caller of an older version gets the fields it knows, and one of a later version zeros. */
+static void structs_of_any_version_are_filled_as_far_as_they_are_known(void) {
+    const sinew_world world = created();
+    struct {
+        sinew_info info;
+        double later;
+    } longer = {.info = {.struct_size = sizeof longer}, .later = 7};
+    sinew_info shorter = {.struct_size = 8}, none = {0};
+    sinew_report report = {.struct_size = 5000};
+    CHECK(sinew_world_get_info(world, &longer.info) == SINEW_OK);
+    CHECK(longer.info.struct_size == sizeof longer && longer.info.dimension == 2 && longer.later == 0);
+    CHECK(sinew_world_get_info(world, &shorter) == SINEW_BAD_ARGUMENT && shorter.dimension == 0);
+    CHECK(strstr(sinew_message(), "struct_size") != NULL);
+    CHECK(sinew_world_get_info(world, &none) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_get_report(world, &report) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
 static sinew_status add_rope(sinew_world world, const char* name, const sinew_parameter* parameters, uint32_t count,
                              uint32_t* figure) {
     const sinew_figure_spec spec = {.struct_size = sizeof spec,
@@ -78,7 +96,7 @@ static void prefabs_take_parameters(void) {
     const sinew_world world = created();
     const sinew_parameter parameters[] = {{"length", 2, NULL}, {"segments", 8, NULL}, {"contact.figures", 0, "true"}};
     uint32_t figure = 99, again = 99;
-    sinew_figure known;
+    sinew_figure known = {.struct_size = sizeof known};
     sinew_particle end;
     CHECK(add_rope(world, NULL, parameters, 3, &figure) == SINEW_OK);
     CHECK(sinew_world_figure_at(world, figure, &known) == SINEW_OK && known.particles == 9);
@@ -126,7 +144,8 @@ static void colliders_carry(void) {
         {.struct_size = sizeof shapes[0], .shape = SINEW_TERRAIN_2D, .points = line, .point_count = 2}};
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; ++i) {
         const sinew_world world = created();
-        const sinew_particle_spec spec = {.position = {0, 0.5, 0}, .mass = 1, .radius = 0.25};
+        const sinew_particle_spec spec = {
+            .struct_size = sizeof spec, .position = {0, 0.5, 0}, .mass = 1, .radius = 0.25};
         sinew_particle ball;
         sinew_collider collider;
         CHECK(sinew_world_add_collider(world, &shapes[i], &collider) == SINEW_OK);
@@ -167,7 +186,7 @@ static void axes_have_any_length(void) {
                                           .turn = 1.5707963267948966};
         sinew_world world;
         sinew_collider collider;
-        sinew_ray_hit hit = {0};
+        sinew_ray_hit hit = {.struct_size = sizeof hit};
         CHECK(sinew_world_create(&space, &world) == SINEW_OK);
         CHECK(sinew_world_add_collider(world, &beam, &collider) == SINEW_OK);
         CHECK(sinew_world_cast_ray(world, (sinew_point){0, 9, 0}, (sinew_point){0, -9, 0}, 0, ~0u, &hit) == SINEW_OK);
@@ -294,7 +313,7 @@ struct meddling {
 static void close_between_tasks(void* context, void (*task)(void*, uint32_t), void* task_context, uint32_t count) {
     struct meddling* meddling = context;
     sinew_particle particle;
-    const sinew_particle_spec spec = {.mass = 1};
+    const sinew_particle_spec spec = {.struct_size = sizeof spec, .mass = 1};
     ++meddling->calls;
     meddling->refused += sinew_world_close(meddling->world) == SINEW_READ_ONLY &&
                          sinew_world_step(meddling->world, 1) == SINEW_READ_ONLY &&
@@ -454,8 +473,8 @@ static void figures_are_steered(void) {
     sinew_controls controls = {.struct_size = sizeof controls, .along = 1};
     sinew_collider id;
     sinew_particle feet, rear;
-    sinew_particle_state state, wheel;
-    sinew_footing footing = {0};
+    sinew_particle_state state = {.struct_size = sizeof state}, wheel = {.struct_size = sizeof wheel};
+    sinew_footing footing = {.struct_size = sizeof footing};
     uint32_t character, car, rope;
     CHECK(sinew_world_add_collider(world, &ground, &id) == SINEW_OK);
     CHECK(sinew_world_add_figure(world, &hero, &character) == SINEW_OK &&
@@ -492,9 +511,9 @@ static void controls_go_with_their_figure(void) {
     const sinew_figure_spec hero = {.struct_size = sizeof hero, .prefab = "character"};
     const sinew_controls controls = {.struct_size = sizeof controls, .along = 1};
     sinew_collider id;
-    sinew_footing footing;
+    sinew_footing footing = {.struct_size = sizeof footing};
     sinew_particle feet;
-    sinew_particle_state state = {.velocity = {9, 0, 0}};
+    sinew_particle_state state = {.struct_size = sizeof state, .velocity = {9, 0, 0}};
     uint32_t first, second, rope;
     CHECK(sinew_world_add_collider(world, &ground, &id) == SINEW_OK);
     CHECK(sinew_world_add_figure(world, &hero, &first) == SINEW_OK);
@@ -519,7 +538,7 @@ static void controls_outlast_an_edit_of_the_scene(void) {
     const sinew_controls controls = {.struct_size = sizeof controls, .along = 1};
     sinew_world world;
     sinew_particle feet;
-    sinew_particle_state state = {.velocity = {0, 0, 0}};
+    sinew_particle_state state = {.struct_size = sizeof state, .velocity = {0, 0, 0}};
     uint32_t hero;
     CHECK(sinew_world_open(scene, NULL, &world) == SINEW_OK &&
           sinew_world_find_figure(world, "hero", &hero) == SINEW_OK);
@@ -550,8 +569,8 @@ static struct added added_to(sinew_world world) {
     struct added it;
     const sinew_collider_spec wall = {
         .struct_size = sizeof wall, .shape = SINEW_BOX, .half = {0.5, 5, 1}, .position = {-9, 0, 0}};
-    const sinew_particle_spec weight = {.position = {1, 2, 0}, .mass = 3};
-    const sinew_constraint_spec cord = {.high = 2};
+    const sinew_particle_spec weight = {.struct_size = sizeof weight, .position = {1, 2, 0}, .mass = 3};
+    const sinew_constraint_spec cord = {.struct_size = sizeof cord, .high = 2};
     CHECK(add_rope(world, "second", NULL, 0, &it.figure) == SINEW_OK);
     CHECK(sinew_world_find_figure(world, "box", &it.box) == SINEW_OK);
     CHECK(sinew_world_find_particle(world, "rope/end", &it.end) == SINEW_OK);
@@ -573,9 +592,9 @@ static void what_calls_have_added_outlasts_an_edit(void) {
     const char* const edits[] = {"view.theme=dark", "figures.1.mass=2", "world.damping=0.1"};
     for (size_t i = 0; i < sizeof edits / sizeof *edits; ++i) {
         sinew_world world, twin;
-        sinew_particle_state state, of_twin;
-        sinew_constraint_state joint;
-        sinew_figure figure;
+        sinew_particle_state state = {.struct_size = sizeof state}, of_twin = {.struct_size = sizeof of_twin};
+        sinew_constraint_state joint = {.struct_size = sizeof joint};
+        sinew_figure figure = {.struct_size = sizeof figure};
         uint64_t hash = 0, hash_of_twin = 1;
         void* data = NULL;
         CHECK(sinew_world_open(rope_and_box, NULL, &world) == SINEW_OK);
@@ -609,7 +628,7 @@ static void what_calls_have_removed_stays_away(void) {
     sinew_world world;
     sinew_collider ground;
     sinew_particle start;
-    sinew_particle_state state;
+    sinew_particle_state state = {.struct_size = sizeof state};
     sinew_pin pin;
     uint32_t box;
     CHECK(sinew_world_open(rope_and_box, NULL, &world) == SINEW_OK);
@@ -799,6 +818,7 @@ int main(void) {
     an_empty_world_falls();
     wrong_sizes_and_numbers_are_errors();
     structs_of_a_later_version_are_read_as_far_as_they_are_known();
+    structs_of_any_version_are_filled_as_far_as_they_are_known();
     prefabs_take_parameters();
     a_parameter_may_name_a_figure();
     colliders_carry();

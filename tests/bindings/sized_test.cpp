@@ -34,5 +34,17 @@ TEST(Sized, AFieldOfALaterVersionIsRefusedUnlessItIsZero) {
     EXPECT_NE(copy_sized(&given, sizeof taken, taken), nullptr);
 }
 
+TEST(Sized, AStructOfAnOlderVersionIsFilledNoFurtherThanItGoes) {
+    struct {
+        SecondVersion filled;
+        double beyond;
+    } older{{sizeof(FirstVersion), 0, 5}, 6};
+    fill_sized(SecondVersion{0, 7, 8}, &older.filled);
+    EXPECT_EQ(older.filled.struct_size, sizeof(FirstVersion));
+    EXPECT_EQ(older.filled.number, 7U);
+    EXPECT_EQ(older.filled.later, 5);
+    EXPECT_EQ(older.beyond, 6);
+}
+
 } // namespace
 } // namespace sinew::c::SINEW_TEST_FILE

@@ -5,7 +5,7 @@ import { Player } from "./player.js";
 import { Simulation } from "./simulation.js";
 
 /** The ABI of bindings/c/sinew.h that this package is written for. */
-export const abi = 3;
+export const abi = 4;
 
 /** An instance of the module, with a memory of its own. Worlds of float are in a second one: loadFloat in index.js. */
 export class Engine {
@@ -98,12 +98,14 @@ export class Engine {
 
     /** Calls a function of the C face; throws if it fails. */
     call(name, ...given) {
+        this.data.clearResult();
         const result = this.exports[name](...given);
         if (result !== status.ok) this.fail(result);
     }
 
     /** The same, but false for status.notFound. */
     finds(name, ...given) {
+        this.data.clearResult();
         const result = this.exports[name](...given);
         if (result !== status.ok && result !== status.notFound) this.fail(result);
         return result === status.ok;

@@ -4,7 +4,7 @@ import { point as pointLayout } from "./layout.js";
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-/** Bytes for the results of one call: the largest struct that is one has 120. */
+/** Bytes for the results of one call: the largest struct that is one has 128. */
 const resultBytes = 256;
 
 export class Memory {
@@ -34,6 +34,9 @@ export class Memory {
         return at;
     }
 
+    /** The room for a result, which begins with its size as a struct does. */
+    clearResult() { this.view.setUint32(this.result, resultBytes, true); }
+
     uint(at) { return this.view.getUint32(at, true); }
     float(at) { return this.view.getFloat32(at, true); }
     double(at) { return this.view.getFloat64(at, true); }
@@ -51,11 +54,11 @@ export class Memory {
         }
     }
 
-    /** The fields of a struct; several numbers are an array. */
+    /** The fields of a struct but its size; several numbers are an array. */
     read(struct, at) {
         const fields = {};
         for (const [name, from, kind, count] of struct.fields)
-            fields[name] = count === undefined ? this.value(kind, at + from) : this.values(kind, at + from, count);
+            if (name !== "structSize") fields[name] = count === undefined ? this.value(kind, at + from) : this.values(kind, at + from, count);
         return fields;
     }
 

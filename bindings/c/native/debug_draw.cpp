@@ -162,7 +162,8 @@ void draw_contacts(sinew_world simulation, Sketch& sketch) {
     std::uint32_t count = 0;
     if (sinew_world_contact_count(simulation, &count) != SINEW_OK) return;
     for (std::uint32_t i = 0; i < count; ++i) {
-        sinew_contact contact;
+        sinew_contact contact{};
+        contact.struct_size = sizeof contact;
         if (sinew_world_contact_at(simulation, i, &contact) != SINEW_OK || contact.phase == SINEW_END) continue;
         const auto &from = contact.point, &n = contact.normal;
         const double length = share * sketch.extent;

@@ -8,14 +8,19 @@
 
 namespace sinew::c {
 
+/// Reason why no version of a struct has a size; null if one may.
+inline const char* fault_of_size(std::size_t size, std::size_t first) {
+    constexpr std::size_t longest = 4096;
+    return size < first || size > longest ? "struct_size is not the size of the struct" : nullptr;
+}
+
 /// Copies a struct of the caller that begins with its size. A shorter one, down to the `first` version's size, is
 /// filled up with zeros, which are the defaults; of a longer one, of a later version, the rest must be zero. Returns
 /// the reason of a failure; null if there is none.
 template <class Spec> const char* copy_sized(const void* given, std::size_t first, Spec& spec) {
-    constexpr std::size_t longest = 4096;
     std::uint32_t size = 0;
     std::memcpy(&size, given, sizeof size);
-    if (size < first || size > longest) return "struct_size is not the size of the struct";
+    if (const auto* fault = fault_of_size(size, first)) return fault;
     const auto* bytes = static_cast<const unsigned char*>(given);
     for (std::size_t i = sizeof(Spec); i < size; ++i)
         if (bytes[i] != 0) return "the struct has a field of a later version, which this library lacks";
@@ -29,6 +34,24 @@ template <class Spec> sinew_status take(const Spec* given, Spec& spec) {
     if (!given) return null_argument();
     const auto* fault = copy_sized(given, sizeof(Spec), spec);
     return fault ? fail(SINEW_BAD_ARGUMENT, fault) : SINEW_OK;
+}
+
+/// Status of a struct of the caller that a function fills: its size must be that of the first version, today's, or
+/// more.
+template <class State> sinew_status can_fill(const State* out) {
+    if (!out) return null_argument();
+    const auto* fault = fault_of_size(out->struct_size, sizeof(State));
+    return fault ? fail(SINEW_BAD_ARGUMENT, fault) : SINEW_OK;
+}
+
+/// Fills a struct of the caller, of which can_fill() is true: fields of a later version, which the library lacks, are
+/// 0.
+template <class State> void fill_sized(const State& made, State* out) {
+    constexpr auto own = sizeof out->struct_size;
+    const std::size_t size = out->struct_size, known = size < sizeof(State) ? size : sizeof(State);
+    auto* bytes = reinterpret_cast<unsigned char*>(out);
+    std::memcpy(bytes + own, reinterpret_cast<const unsigned char*>(&made) + own, known - own);
+    std::memset(bytes + known, 0, size - known);
 }
 
 } // namespace sinew::c
