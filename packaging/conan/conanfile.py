@@ -17,7 +17,9 @@ class Sinew(ConanFile):
 
     def export_sources(self):
         tree = os.path.join(self.recipe_folder, "..", "..")
-        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "packaging/*", "sinew/*", "player/*", "canvas/*", "bindings/*", "scenes/*"):
+        # Tried by tests/tools/recipes_test.sh.
+        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "packaging/*", "sinew/*", "player/*", "canvas/*", "files/*", "bindings/*", "tools/*",
+                        "scenes/*"):
             copy(self, pattern, tree, self.export_sources_folder)
 
     def requirements(self):
