@@ -44,6 +44,24 @@ run(${CMAKE_COMMAND} -G Ninja -S ${work}/pasted -B ${work}/pasted/build -D CMAKE
 run(${CMAKE_COMMAND} --build ${work}/pasted/build)
 run(${work}/pasted/build/hello)
 
+# pkg-config hands on every option and definition that find_package does: they are those of the library, for the same bits.
+execute_process(COMMAND ninja -C ${work}/build -t commands hello OUTPUT_VARIABLE commands COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL " -(f[a-z-]+(=[a-z]+)?|DSINEW_[A-Z0-9_=]+|std=[a-z+0-9]+)" handed_on "${commands}")
+execute_process(COMMAND sh -c "PKG_CONFIG_PATH=$(dirname $(find ${prefix} -name sinew.pc)) pkg-config --cflags sinew"
+    OUTPUT_VARIABLE cflags COMMAND_ERROR_IS_FATAL ANY)
+foreach(flag IN ITEMS " -ffp-contract=off" " -fno-math-errno" " -DSINEW_ASSERTIONS=")
+    string(FIND "${commands}" "${flag}" at)
+    if(at EQUAL -1)
+        message(FATAL_ERROR "find_package does not hand on${flag}")
+    endif()
+endforeach()
+foreach(flag IN LISTS handed_on)
+    string(FIND " ${flags} ${cflags}" "${flag}" at)
+    if(at EQUAL -1 AND NOT flag MATCHES "-std=gnu")
+        message(FATAL_ERROR "pkg-config --cflags sinew lacks${flag}: ${cflags}")
+    endif()
+endforeach()
+
 run(sh -c "PKG_CONFIG_PATH=$(dirname $(find ${prefix} -name sinew.pc)) &&
     export PKG_CONFIG_PATH &&
     ${compiler} ${flags} ${work}/hello.cpp -o ${work}/hello $(pkg-config --cflags --libs sinew) && ${work}/hello")
