@@ -50,7 +50,7 @@ sinew_status fail(sinew_status status, std::string message) {
     const auto log = failure_log();
     if (!log.tell || kept.is_telling) return status;
     kept.is_telling = true;
-    log.tell(log.context, status, message.c_str());
+    [&]() noexcept { log.tell(log.context, status, message.c_str()); }(); // an exception would leave it telling
     kept.is_telling = false;
     kept.message = std::move(message); // the log's own calls may have failed
     return status;

@@ -20,6 +20,9 @@
  * An object may be used by one thread at a time; different objects by different threads. The WebAssembly module has one
  * thread.
  *
+ * Functions of the caller that the library calls return: an exception of one in C++ ends the program (std::terminate),
+ * and none may longjmp. Those of a debug drawing alone may throw, since nothing is done meanwhile.
+ *
  * A struct that begins with `struct_size` grows at its end in later versions, those that are filled as those that are
  * read; the others never do. The caller writes sizeof(the struct) there, and 0 into every field that is to have its
  * default:
@@ -360,7 +363,7 @@ typedef int (*sinew_contact_filter)(void* context, sinew_pending_contact* contac
  * sinew_world_run_until, about planes, colliders, sensors, figures and cloth, in the order of the solver and in the
  * caller's thread, which then takes the steps alone: the same answers give the same bits. A rope that is solved at once
  * is asked about once a step and wall; layers of thin cloth, which never cross, and what sleeps are not asked about.
- * Copies have no filter. */
+ * Copies have no filter. An exception of the filter's ends the program. */
 SINEW_PROGRAM_API sinew_status sinew_world_set_contact_filter(sinew_world world, sinew_contact_filter filter,
                                                               void* context);
 

@@ -39,18 +39,21 @@ struct PendingContact {
 /// over a whole step, is asked about once a step and wall. Friction and bounce count for rows, blocks and swept
 /// particles; layers of cloth only part or not; layers of `thin` cloth, which never cross, are not asked about, nor
 /// what sleeps. The function may read the world but not change it.
+/// An exception of the function ends the program (std::terminate): a step has no state halfway.
 ///
 ///     auto admits = [&](PendingContact& contact) { return contact.collider != platform; };
 ///     simulation.solver.options.contact_filter = ContactFilter::of(admits); // which outlives it
 struct ContactFilter {
-    bool (*admits)(void* context, PendingContact& contact) = nullptr; ///< null: all contacts act
+    bool (*admits)(void* context, PendingContact& contact) noexcept = nullptr; ///< null: all contacts act
     void* context = nullptr;
 
     explicit operator bool() const { return admits != nullptr; }
 
     /// A filter that asks a callable object, which must outlive it.
     template <class Admits> static ContactFilter of(Admits& admits) {
-        return {[](void* object, PendingContact& contact) { return bool((*static_cast<Admits*>(object))(contact)); },
+        return {[](void* object, PendingContact& contact) noexcept {
+                    return bool((*static_cast<Admits*>(object))(contact));
+                },
                 &admits};
     }
 

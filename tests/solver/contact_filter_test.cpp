@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 /// The program's word on contacts.
@@ -128,6 +129,16 @@ TEST(ContactFilter, IsAnOptionOfASimulation) {
     test::run(world, 0.1);
     EXPECT_EQ(asked, before);
     EXPECT_NEAR(height(world, stone), 0.1, 1e-3);
+}
+
+/// The engine is built without exceptions, and a step has no state halfway.
+TEST(ContactFilterDeathTest, ExceptionEndsTheProgram) {
+    World2 world;
+    test::add_ground(world);
+    add_stone(world, 0, 0.1);
+    auto filter = [](const PendingContact&) -> bool { throw std::runtime_error("of the filter"); };
+    world.solver.options.contact_filter = ContactFilter::of(filter);
+    EXPECT_DEATH(test::run(world, 0.1), "terminate.*of the filter");
 }
 
 /// Everything that touches, in one world: a chain, crates, stones, a sensor.

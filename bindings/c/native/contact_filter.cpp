@@ -32,8 +32,9 @@ template <class WorldT> sinew_pending_contact in_c(const WorldT& world, const Pe
             .bounce = contact.restitution};
 }
 
-/// Asks the caller, in whose terms the contact is; meanwhile the simulation must not be changed.
-bool ask(void* context, PendingContact& contact) {
+/// Asks the caller, in whose terms the contact is; meanwhile the simulation must not be changed. An exception
+/// of the caller's in C++ ends here.
+bool ask(void* context, PendingContact& contact) noexcept {
     auto& known = *static_cast<Simulation*>(context);
     const auto* session = known.session();
     if (!session || !known.filter.ask) return true;

@@ -21,7 +21,18 @@ struct TaskSystem {
     void* context = nullptr;
 } tasks;
 
-void run_tasks(void*, void (*task)(void*, std::uint32_t), void* task_context, std::uint32_t count) {
+/// The caller's function that runs tasks.
+struct Parallel {
+    sinew_parallel run = nullptr;
+    void* context = nullptr;
+} parallel_of_caller;
+
+/// Exceptions of the caller's end here, before the engine, which knows none.
+void run_parallel(void*, void (*task)(void*, std::uint32_t), void* task_context, std::uint32_t count) noexcept {
+    parallel_of_caller.run(parallel_of_caller.context, task, task_context, count);
+}
+
+void run_tasks(void*, void (*task)(void*, std::uint32_t), void* task_context, std::uint32_t count) noexcept {
     constexpr std::uint32_t at_once = 64;
     std::array<void*, at_once> handles{};
     for (std::uint32_t first = 0; first < count; first += at_once) {
@@ -46,7 +57,8 @@ void sinew_set_assertion_handler(sinew_assertion_handler handler) {
 }
 
 void sinew_set_parallel(sinew_parallel parallel, void* context) {
-    set_program_threads({parallel, context});
+    parallel_of_caller = {parallel, context};
+    set_program_threads({parallel ? run_parallel : nullptr, nullptr});
 }
 
 sinew_status sinew_set_task_system(sinew_enqueue enqueue, sinew_finish finish, void* context) {
