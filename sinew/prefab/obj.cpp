@@ -1,6 +1,8 @@
 #include "sinew/prefab/obj.h"
 
 #include "sinew/math/format.h"
+#include "sinew/math/limit.h"
+#include "sinew/math/random.h"
 #include "sinew/math/sort.h"
 #include "sinew/prefab/obj_line.h"
 
@@ -8,10 +10,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <string>
-#include <tuple>
+#include <unordered_map>
 
 namespace sinew {
 namespace {
@@ -171,24 +174,72 @@ std::string_view take_obj_line(std::string_view& text, std::string& joined, std:
     }
 }
 
+namespace {
+
+/// Points of a model so far of which no two coincide, in cells of a grid.
+class FirstPoints {
+  public:
+    explicit FirstPoints(const std::vector<Vec3<double>>& points) : points_(points) {
+        if (points.empty()) return;
+        auto high = low_ = points.front();
+        for (const auto& point : points)
+            for (int k = 0; k < 3; ++k) low_[k] = min(low_[k], point[k]), high[k] = max(high[k], point[k]);
+        reach_ = weld_share * norm(high - low_);
+        if (reach_ > 0) cell_ = 4 * reach_; // most points are near no other cell
+    }
+
+    /// The first point with which point number i coincides: itself, if there is none.
+    std::uint32_t first_at(std::uint32_t i) {
+        const auto low = cell_of(i, -reach_), high = cell_of(i, reach_);
+        auto found = i;
+        for (auto x = low[0]; x <= high[0]; ++x)
+            for (auto y = low[1]; y <= high[1]; ++y)
+                for (auto z = low[2]; z <= high[2]; ++z) found = std::min(found, first_in({x, y, z}, i));
+        if (found == i) cells_[cell_of(i, 0)].push_back(i);
+        return found;
+    }
+
+  private:
+    using Cell = std::array<std::int64_t, 3>;
+    struct CellHash {
+        std::size_t operator()(const Cell& cell) const {
+            std::uint64_t mixed = 0;
+            for (const auto number : cell) mixed = random::mix(mixed ^ std::uint64_t(number));
+            return std::size_t(mixed);
+        }
+    };
+
+    const std::vector<Vec3<double>>& points_;
+    Vec3<double> low_{};
+    double reach_ = 0, cell_ = 1;
+    std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
+
+    Cell cell_of(std::uint32_t i, double beside) const {
+        Cell cell{};
+        for (int k = 0; k < 3; ++k)
+            cell[std::size_t(k)] = std::int64_t(std::floor((points_[i][k] - low_[k] + beside) / cell_));
+        return cell;
+    }
+    std::uint32_t first_in(const Cell& cell, std::uint32_t i) const {
+        const auto known = cells_.find(cell);
+        if (known == cells_.end()) return i;
+        for (const auto other : known->second)
+            if (norm(points_[other] - points_[i]) <= reach_) return other;
+        return i;
+    }
+};
+
+} // namespace
+
 std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits) {
     return ReadingObj(text, limits).read();
 }
 
 MeshModel weld(const MeshModel& model) {
     const auto count = model.points.size();
-    std::vector<std::uint32_t> order(count), becomes(count);
-    for (std::uint32_t i = 0; i < count; ++i) order[i] = i;
-    const auto key = [&](std::uint32_t i) {
-        const auto& p = model.points[i];
-        return std::tuple(p[0], p[1], p[2], i);
-    };
-    sinew::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    std::vector<std::uint32_t> first(count); // point of the file that each one is merged into
-    for (std::size_t k = 0; k < count; ++k) {
-        const bool coincides = k > 0 && model.points[order[k]] == model.points[order[k - 1]];
-        first[order[k]] = coincides ? first[order[k - 1]] : order[k];
-    }
+    std::vector<std::uint32_t> first(count), becomes(count);
+    FirstPoints known(model.points);
+    for (std::uint32_t i = 0; i < count; ++i) first[i] = known.first_at(i);
     MeshModel welded;
     for (std::uint32_t i = 0; i < count; ++i) {
         if (first[i] != i) continue;

@@ -42,9 +42,12 @@ struct ObjLimits {
 /// lines and points are ignored. Curves and all other keywords are errors. Points that no face uses are kept.
 std::variant<MeshModel, ObjProblem> read_obj(std::string_view text, const ObjLimits& limits = {});
 
-/// The model with points at the same place merged into the first of them: faces that shared no point, as scanners and
-/// programs for printing write them, then hold together. Corners of a face that become one are one; faces of fewer than
-/// three are left out.
+/// Share of the size of a model, its diagonal, within which two points coincide: rounding of float, or of six decimals.
+inline constexpr double weld_share = 1e-7;
+
+/// The model with points at the same place, to within `weld_share`, merged into the first of them: faces that shared no
+/// point, as scanners and programs for printing write them, then hold together. Corners of a face that become one are
+/// one; faces of fewer than three are left out.
 MeshModel weld(const MeshModel& model);
 
 /// Writes the model as an OBJ file. Reading the file back gives identical bits.

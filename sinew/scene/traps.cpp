@@ -6,6 +6,7 @@
 #include "sinew/world/islands.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,7 @@ template <int D, class Real> class TrapCheck {
         strains();
         models();
         jumps();
+        slack_bends();
     }
 
   private:
@@ -98,6 +100,58 @@ template <int D, class Real> class TrapCheck {
                     if (made.model && i < parts.size())
                         model(*made.model, made.file, parts[i], under("figures", i, "file"));
             });
+    }
+
+    /// Rigid bends, and ranges of angles, at links that may go slack: such a link gives way in place of the angle. A
+    /// bend with a compliance is a spring that fades with its legs, as of a whip: meant so.
+    void slack_bends() {
+        const auto is_rigid_angle = [](const ConstraintSection& section) {
+            return section.kind == Angle<D>::name && section.is_rigid();
+        };
+        const auto warn = [&](const auto& list, const std::string& prefix, const std::string& place) {
+            if (!std::ranges::any_of(list, is_rigid_angle)) return;
+            const auto slack = slack_pairs();
+            std::vector<std::size_t> found;
+            for (std::size_t i = 0; i < list.size(); ++i)
+                if (is_rigid_angle(list[i]) && is_at_slack_link(list[i], prefix, slack)) found.push_back(i);
+            if (found.empty()) return;
+            document_.warn(place + under("constraints", found.front()),
+                           format_text("{} at a link that may go slack: the link gets shorter where the angle should "
+                                       "hold, so that the angle has no effect",
+                                       found.size() == 1 ? "an angle" : format_text("{} angles", found.size())),
+                           "give the link a \"rest\", or a \"low\" above 0");
+        };
+        for (std::size_t i = 0; i < scene_.figures.size(); ++i)
+            if (const auto* by_hand = std::get_if<ByHand>(&scene_.figures[i].made))
+                warn(by_hand->constraints, std::string(name_of(scene_.figures[i])) + "/", under("figures", i));
+        warn(scene_.constraints, "", "");
+    }
+    using Pair = std::pair<Row, Row>;
+    static Pair pair_of(Row a, Row b) { return {std::min(a, b), std::max(a, b)}; }
+
+    /// Pairs of particles that links join, and none of them keeps apart.
+    std::map<Pair, bool> slack_pairs() const {
+        std::map<Pair, bool> pairs;
+        const auto& links = std::get<kind_number<Distance, D>>(world_.constraints);
+        for (Row row = 0; row < links.size(); ++row) {
+            const auto ends = links.members[row];
+            const auto [known, is_first] = pairs.try_emplace(pair_of(ends[0], ends[1]), true);
+            known->second = known->second && !(links.low(row) > Real(0));
+        }
+        return pairs;
+    }
+
+    bool is_at_slack_link(const ConstraintSection& angle, const std::string& prefix,
+                          const std::map<Pair, bool>& slack) const {
+        std::vector<Row> rows;
+        for (const auto& name : angle.between)
+            if (const auto ids = find_particles(world_, full_name(name, prefix)); !ids.empty())
+                rows.push_back(*row_of(world_, ids.front()));
+        const auto is_slack = [&](Row a, Row b) {
+            const auto known = slack.find(pair_of(a, b));
+            return known != slack.end() && known->second;
+        };
+        return rows.size() == 3 && (is_slack(rows[0], rows[1]) || is_slack(rows[1], rows[2]));
     }
 
     /// Paths of pins that begin elsewhere at time 0: each key is reached evenly from the one before.

@@ -205,6 +205,38 @@ TEST(MeshFile, IsWeldedAndTheNumberTold) {
     EXPECT_EQ(said_of(scene, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").warnings, "");
 }
 
+TEST(MeshFile, IsWeldedWherePointsCoincideToRounding) {
+    const std::string scene = R"({"sinew": 1, "dimension": 3, "figures": [{"prefab": "mesh", "file": "x.obj"}]})";
+    const auto at = [&](const std::string& x) {
+        return said_of(scene,
+                       "v 100 0 0\nv 101 0 0\nv 100 1 0\nv " + x + " 0 0\nv 101 1 0\nv 100 1 0\nf 1 2 3\nf 4 5 6\n");
+    };
+    EXPECT_TRUE(says(at("101.0000001").warnings, "2 of the 6 points"));
+    EXPECT_TRUE(says(at("100.9999999").warnings, "2 of the 6 points"));
+    EXPECT_TRUE(says(at("101.000001").warnings, "1 of the 6 points")) << "further than 1e-7 of the size, 1.4";
+}
+
+TEST(Bend, AtALinkThatMayGoSlackHoldsNothing) {
+    const auto bend = [](const std::string& link, const std::string& angle) {
+        return said_of(three(R"({"between": ["a", "b"]}, {"between": ["b", "c"])" + link + R"(}, {"kind": "angle",
+            "between": ["a", "b", "c"])" +
+                             angle + "}"));
+    };
+    for (const char* angle : {"", R"(, "low": -20, "high": 20)"}) {
+        const auto slack = bend(R"(, "high": 1)", angle);
+        EXPECT_TRUE(says(slack.warnings, "an angle at a link that may go slack")) << angle;
+        EXPECT_TRUE(says(slack.warnings, "/figures/0/constraints/2"));
+        EXPECT_TRUE(slack.opened);
+        EXPECT_EQ(bend("", angle).warnings, "");
+        EXPECT_EQ(bend(R"(, "low": 0.5, "high": 1)", angle).warnings, "");
+        EXPECT_EQ(bend(R"(, "rest": 1, "compliance": 0.01)", angle).warnings, "");
+    }
+    EXPECT_EQ(bend(R"(, "high": 1)", R"(, "rest": 0, "compliance": 0.1)").warnings, "") << "a spring, which fades";
+    const auto rope = said_of(R"({"sinew": 1, "figures": [{"prefab": "rope"}], "constraints": [
+        {"kind": "angle", "between": ["rope/particle_1", "rope/particle_2", "rope/particle_3"], "rest": 0}]})");
+    EXPECT_TRUE(says(rope.warnings, "at /constraints/0")) << rope.errors;
+}
+
 TEST(Version, ThatIsMissingHidesNothingElse) {
     const auto said = said_of(R"({"figures": [{"prefab": "rope"}], "pins": [{"particle": "rope/nobody"}]})");
     EXPECT_TRUE(says(said.errors, "{\"sinew\": 1, ..."));
