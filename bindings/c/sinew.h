@@ -417,7 +417,7 @@ SINEW_API sinew_status sinew_world_scene_text(sinew_world world, const char** js
  * those of overrides; low, high and choices are absent where there are none. */
 SINEW_API sinew_status sinew_world_parameters(sinew_world world, const char** json);
 /* Sets one value of the running scene by an override "path=value"; figures of the scene that it does not concern go on
- * unchanged. What calls have added, removed or set stays, and ids hold; a grab ends. A figure whose form changes begins
+ * unchanged. Changes by calls stay, with all ids; a grab ends. A figure whose form changes begins
  * anew, without ids and numbers that were set. SINEW_BAD_ARGUMENT, and no change, where an added thing cannot go on: a
  * constraint or a pin that holds such a figure, a figure that has been cut and would be whole, another dimension. */
 SINEW_API sinew_status sinew_world_set(sinew_world world, const char* override_pair);

@@ -95,7 +95,7 @@ struct Match {
     Row base = no_row, old = no_row, fresh = no_row;
 };
 
-/// The worlds, and what is known of their rows.
+/// The worlds, and their rows.
 template <class WorldT> struct Merge {
     static constexpr int D = WorldT::dimension;
     using Real = typename WorldT::Real;
@@ -126,7 +126,7 @@ template <class WorldT> struct Merge {
     }
 };
 
-/// What the scene has built: numbers that were set, and what was removed.
+/// Parts that the scene has built: numbers that were set, and parts that were removed.
 template <class WorldT> class Described {
     static constexpr int D = WorldT::dimension;
     using Real = typename WorldT::Real;
@@ -341,7 +341,7 @@ template <class WorldT> class Described {
     }
 };
 
-/// What calls and events have added.
+/// Parts that calls and events have added.
 template <class WorldT> class Added {
     static constexpr int D = WorldT::dimension;
     using Real = typename WorldT::Real;
@@ -555,7 +555,7 @@ template <class WorldT> class Ids {
     }
 };
 
-/// Takes over the touches of the last step, between what there still is: ids hold.
+/// Takes over the touches of the last step, where both sides are left: ids hold.
 template <class WorldT> void carry_contacts(const WorldT& old, WorldT& fresh) {
     const auto is_same = [](const auto& before, const auto& now, std::uint32_t slot) {
         return slot < before.indices() && before.in_use(slot) && now.find(before.id_of(before.row_at(slot)));
@@ -585,7 +585,7 @@ template <class WorldT> void carry_contacts(const WorldT& old, WorldT& fresh) {
         if (has_figures(touch)) to.figures.push_back(touch);
 }
 
-/// What a world of another type has lost: nothing of it goes on.
+/// Reason why a world of another type loses something: none of its parts goes on.
 template <class WorldT> std::string lost_of(const Scene& scene, const WorldT& old) {
     const auto is_described = [&](const Figure& figure) {
         return std::ranges::any_of(scene.figures, [&](const auto& one) { return name_of(one) == figure.name; });

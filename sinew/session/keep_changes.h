@@ -27,7 +27,7 @@ struct Renamed {
     void rename(ConstraintId& id) const;
 };
 
-/// Brings into the new world all that calls and events have changed in the old one since its scene was built: figures,
+/// Brings into the new world all changes by calls and events of the old one since its scene was built: figures,
 /// particles, constraints, pins and colliders that were added, those that were removed, and numbers that were set, as
 /// long as the edit leaves their descriptions alone. Ids of the old world hold in the new one. Returns the reason why
 /// something cannot go on; empty if all does.

@@ -133,7 +133,7 @@ class Session {
     void quicken(double by);
 
     /// Replaces the scene while running: figures unchanged between both scenes keep positions, velocities and cuts, and
-    /// what calls and events have changed stays (keep_changes.h), unless code builds the world. Ids hold. Returns the
+    /// changes by calls and events stay (keep_changes.h), unless code builds the world. Ids hold. Returns the
     /// reason why something cannot go on; empty if all does.
     std::string become(Scene scene);
 
