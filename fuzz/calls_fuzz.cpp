@@ -86,7 +86,7 @@ class Calls {
         for (int i = 0; i < max_calls && !program_.over(); ++i) {
             const auto which = program_.byte();
             simulation_ = which == 255 ? sinew_world{which} : simulations_[which % simulations_.size()];
-            call(program_.byte() % 8);
+            call(program_.byte() % 9);
         }
         for (const auto simulation : simulations_) check(simulation);
     }
@@ -113,6 +113,8 @@ class Calls {
             return change_constraint();
         case 6:
             return point();
+        case 8:
+            return figures();
         default:
             return look();
         }
@@ -234,6 +236,32 @@ class Calls {
             if (sinew_world_find_collider(simulation_, "table", &table) != SINEW_OK) return;
             const auto axis = program_.point();
             sinew_world_move_collider(simulation_, table, program_.point(), program_.number(), &axis);
+        }
+    }
+
+    /// Figures with controls, which come, are steered, and go.
+    void figures() {
+        const auto which = program_.byte() % 6;
+        const std::uint32_t figure = program_.byte() % 8U;
+        if (which < 2) {
+            const sinew_parameter parameter{which == 0 ? "speed" : "torque", program_.number(), nullptr};
+            const sinew_figure_spec spec{.struct_size = sizeof spec,
+                                         .parameter_count = 1,
+                                         .parameters = &parameter,
+                                         .prefab = which == 0 ? "character" : "car",
+                                         .name = nullptr,
+                                         .position = program_.point(),
+                                         .velocity = program_.point(),
+                                         .turn = program_.number()};
+            sinew_world_add_figure(simulation_, &spec, nullptr);
+        } else if (which < 4) {
+            const sinew_controls controls{sizeof controls,   program_.byte() % 2U, program_.byte() % 2U, 0,
+                                          program_.number(), program_.number()};
+            sinew_world_steer(simulation_, figure, &controls);
+        } else if (which == 4) {
+            sinew_world_steer(simulation_, figure, nullptr);
+        } else {
+            sinew_world_remove_figure(simulation_, figure);
         }
     }
 

@@ -1,4 +1,5 @@
 #include "sinew/math/hash.h"
+#include "sinew/session/session_snapshot.h"
 #include "sinew/simulation.h"
 #include "sinew/snapshot/snapshot.h"
 #include "sinew/world/measure.h"
@@ -46,9 +47,33 @@ template <int D, class Real> void check(const Bytes& bytes) {
     if (!std::all_of(positions.begin(), positions.end(), [](const auto& p) { return is_finite(p); })) std::abort();
 }
 
+/// Small scenes only: a fuzzer's seconds are for readers.
+std::optional<Opened> opened(const std::string& text, const std::string&) {
+    auto document = load(text, "fuzz.json");
+    if (document.limits.particles > 2000) document.limits.particles = 2000;
+    return open_scene(document);
+}
+
+/// The same for a session.
+void check_session(const Bytes& bytes) {
+    SnapshotError error;
+    auto session = session_of(bytes, opened, error, {.memory = 50'000'000});
+    if (!session) return;
+    const auto saved = save(*session);
+    const auto again = session_of(saved, opened, error);
+    if (!again || save(*again) != saved) std::abort();
+    const bool is_quick = std::visit(
+        [](const auto& world) {
+            return world.settings.substeps <= 32 && world.settings.iterations <= 8 &&
+                   world.settings.classic.passes <= 100;
+        },
+        session->world());
+    for (int i = 0; is_quick && i < 10; ++i) session->step();
+}
+
 } // namespace
 
-/// Any bytes are restored as a world that goes on, or refused.
+/// Any bytes are restored as a world or a session that goes on, or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size < header) return 0;
     Bytes bytes(size);
@@ -58,5 +83,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check<2, double>(bytes);
     check<3, float>(bytes);
     check<3, double>(bytes);
+    check_session(bytes);
     return 0;
 }

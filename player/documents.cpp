@@ -184,8 +184,10 @@ void Play::open_running(const fs::path& path) {
     const auto open = opener(path.string(), from, problem);
     std::optional<Timeline> timeline;
     if (is_snapshot(bytes)) {
-        if (auto session = session_of(bytes, open, error))
+        if (auto session = session_of(bytes, open, error)) {
+            if (session->steering().player() != Controls{}) session->steering().play({}); // keys that nobody holds now
             timeline.emplace(std::move(*session), std::vector<LoggedAction>{}, 0);
+        }
     } else if (auto recording = read_recording(bytes, open, error)) {
         auto actions = actions_of(*recording, open);
         const auto steps = recording->steps;

@@ -146,8 +146,8 @@ SINEW_API sinew_status sinew_check(const char* scene, const sinew_open_options* 
 SINEW_API sinew_status sinew_world_copy(sinew_world world, sinew_world* copy);
 SINEW_API sinew_status sinew_world_close(sinew_world world);
 
-/* The bytes of a world in its present state: scene, world, clock, events and grabs. They are valid until the next
- * call with the world. */
+/* The bytes of a world in its present state: scene, world, clock, events, grabs and controls. They are valid until the
+ * next call with the world. */
 SINEW_API sinew_status sinew_world_save(sinew_world world, const uint8_t** bytes, size_t* size);
 /* Opens what sinew_world_save() wrote, on this machine or another: every later hash is that of the world that never
  * stopped, and ids hold. `options` has the images and models of the scene; its overrides are not read. Bytes may come
@@ -510,8 +510,8 @@ typedef struct sinew_controls {
     double along; /* -1 to 1: walks, drives, to the left or to the right */
     double up;    /* -1 to 1: climbs; a car in the air lifts its front */
 } sinew_controls;
-/* Null: controls of the scene's events again. Controls, and parameters of figures that are not of the scene, are no
- * part of a snapshot. SINEW_BAD_ARGUMENT for a figure that has no controls. */
+/* Null: controls of the scene's events again. Controls are a part of the world: copies and saved worlds hold them.
+ * SINEW_BAD_ARGUMENT for a figure that has no controls. */
 SINEW_API sinew_status sinew_world_steer(sinew_world world, uint32_t figure, const sinew_controls* controls);
 
 typedef struct sinew_footing {

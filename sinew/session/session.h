@@ -172,7 +172,7 @@ class Session {
                taken_over, grabs, collider_moves, blowing, history, islands, happenings, happening_count, level,
                level_memory, steering] = self;
         visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, collider_moves,
-              blowing, history, islands, happenings, happening_count);
+              blowing, history, islands, happenings, happening_count, steering);
     }
     /// False unless all indices are of this scene and world.
     bool is_sound() const;

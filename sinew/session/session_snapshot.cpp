@@ -10,6 +10,17 @@ namespace snapshot {
 
 template <> struct IsPacked<Point> : std::true_type {};
 
+template <class Archive, class First, class Second> void archive(Archive& at, std::pair<First, Second>& pair) {
+    archive_all(at, pair.first, pair.second);
+}
+template <class Archive> void archive(Archive& at, Controls& controls) {
+    auto& [along, up, jump, hold] = controls;
+    archive_all(at, along, up, jump, hold);
+}
+/// Parameters of a prefab.
+template <class Archive, Record Prefab> void archive(Archive& at, Prefab& prefab) {
+    Prefab::fields(prefab, [&](auto& parameter, const Field&) { archive(at, parameter); });
+}
 /// Types that list their own state.
 template <class Archive, class T>
 requires requires(T& value) {
@@ -53,7 +64,8 @@ bool Session::is_sound() const {
            std::ranges::all_of(driven_, is_driven) &&
            std::ranges::all_of(blowing_, [&](const Blowing& blowing) { return blowing.force < forces; }) &&
            rules_.is_of(scene_) && winder_.is_of(scene_) && collider_moves_.is_of(scene_) && history_.is_of(scene_) &&
-           history_.is_sound() && happenings_.size() <= std::min(max_happenings, happening_count_);
+           history_.is_sound() && steering_.is_of(scene_) &&
+           happenings_.size() <= std::min(max_happenings, happening_count_);
 }
 
 std::vector<std::byte> save(const Session& session, std::string_view from) {
@@ -92,10 +104,15 @@ std::optional<Session> session_of(std::span<const std::byte> bytes, const SceneO
     std::optional<Session> session(std::in_place, std::move(*opened));
     if (auto fault = read_world(*frame, limits, session->world())) return refused(std::move(*fault));
     reader.enter("session", "state");
-    Session::state(*session, [&](auto&... fields) { archive_all(reader, fields...); });
+    const auto read = [&]<class Field>(Field& field) {
+        if (std::is_same_v<Field, Steering> && frame->version < snapshot::version_with_steering) return;
+        archive(reader, field);
+    };
+    Session::state(*session, [&](auto&... fields) { (read(fields), ...); });
     if (!reader.failed() && reader.left() > 0) reader.fail("more than a session");
     if (!reader.failed() && !session->is_sound()) reader.fail("an index of something that the scene has not");
     if (reader.failed()) return refused(reader.error());
+    session->steering().pass_generations();
     return session;
 }
 

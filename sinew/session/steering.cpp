@@ -39,7 +39,30 @@ Controls controls_at(const Scene& scene, std::string_view figure, double now) {
     return controls;
 }
 
+/// True if no two entries are of figures of one index.
+template <class Entries> bool are_of_different_figures(const Entries& entries) {
+    std::vector<std::uint32_t> indices;
+    for (const auto& entry : entries) indices.push_back(entry.first.index);
+    std::ranges::sort(indices);
+    return std::ranges::adjacent_find(indices) == indices.end();
+}
+
+/// True if a scene in these units could state the parameters of a prefab.
+template <class Prefab> bool are_within_ranges(const Prefab& prefab, const Units& units) {
+    bool all = true;
+    Prefab::fields(prefab, [&](double value, const Field& field) {
+        const auto range = range_in_file(field, units);
+        const double stated = rounded(value * in_file(field.unit));
+        all = all && stated >= range.low && stated <= range.high;
+    });
+    return all && !prefab.problem(2);
+}
+
 } // namespace
+
+Controls Steering::within_range(const Controls& controls) {
+    return {clamp(controls.along, -1.0, 1.0), clamp(controls.up, -1.0, 1.0), controls.jump, controls.hold};
+}
 
 std::optional<Steering::Steered> Steering::of(const FigureSection& section) {
     std::optional<Steered> found;
@@ -51,7 +74,7 @@ std::optional<Steering::Steered> Steering::of(const FigureSection& section) {
 
 void Steering::set(const FigureId& figure, std::optional<Controls> controls) {
     std::erase_if(set_, [&](const auto& entry) { return entry.first.index == figure.index; });
-    if (controls) set_.emplace_back(figure, *controls);
+    if (controls) set_.emplace_back(figure, within_range(*controls));
 }
 
 void Steering::know(const FigureId& figure, const Steered& steered) {
@@ -119,11 +142,33 @@ template <class WorldT> void Steering::run_in(const Scene& scene, WorldT& world)
         else if (const auto* car = std::get_if<Car>(&steered))
             steer(world, figure, *car, controls, dt);
     };
+    const auto is_known = [&](FigureIndex figure) {
+        const auto id = figure_id(world, figure);
+        return std::ranges::any_of(known_, [&](const auto& entry) { return entry.first == id; });
+    };
     for (const auto& section : scene.figures)
         if (const auto steered = of(section))
-            if (const auto figure = find_figure(world, name_of(section))) move(*figure, *steered);
+            if (const auto figure = find_figure(world, name_of(section)); figure && !is_known(*figure))
+                move(*figure, *steered);
     for (const auto& [known, steered] : known_)
         if (const auto figure = figure_index(world, known)) move(*figure, steered);
+}
+
+bool Steering::is_of(const Scene& scene) const {
+    const auto units = scene.measures();
+    const auto is_within_range = [](const Controls& controls) { return controls == within_range(controls); };
+    const auto is_possible = [&](const Steered& steered) {
+        return std::visit([&](const auto& prefab) { return are_within_ranges(prefab, units); }, steered);
+    };
+    return (!player_ || is_within_range(*player_)) &&
+           std::ranges::all_of(set_, [&](const auto& entry) { return is_within_range(entry.second); }) &&
+           std::ranges::all_of(known_, [&](const auto& entry) { return is_possible(entry.second); }) &&
+           are_of_different_figures(set_) && are_of_different_figures(known_);
+}
+
+void Steering::pass_generations() const {
+    for (const auto& [figure, controls] : set_) Stamp::pass(figure.generation);
+    for (const auto& [figure, steered] : known_) Stamp::pass(figure.generation);
 }
 
 void Steering::run(const Scene& scene, AnyWorld& any) const {

@@ -14,7 +14,7 @@
 namespace sinew {
 
 /// Controls of the characters and cars of a session. The program's count first, then the player's once a key has been
-/// pressed, then the scene's events. No part of a snapshot: controls are given anew after one is loaded.
+/// pressed, then the scene's events.
 class Steering {
   public:
     using Steered = std::variant<Character, Car>;
@@ -23,12 +23,12 @@ class Steering {
     static std::optional<Steered> of(const FigureSection& section);
 
     /// Controls of the player's keys, for every figure that the program does not control.
-    void play(const Controls& controls) { player_ = controls; }
+    void play(const Controls& controls) { player_ = within_range(controls); }
     const Controls& player() const { return player_ ? *player_ : neutral; }
     /// Controls of a figure by the program; nothing: the player's and the scene's again. A later figure of the same
     /// index has none of them.
     void set(const FigureId& figure, std::optional<Controls> controls);
-    /// Parameters of a figure that is not of the scene.
+    /// Parameters of a figure that is not of the scene, each within the range of its field.
     void know(const FigureId& figure, const Steered& steered);
     /// Parameters of a figure; nothing for one that cannot be steered.
     std::optional<Steered> steered(const Scene& scene, const AnyWorld& world, FigureIndex figure) const;
@@ -43,12 +43,23 @@ class Steering {
     /// Moves all figures for the next step.
     void run(const Scene& scene, AnyWorld& world) const;
 
+    /// State of a snapshot; is_of() says whether it belongs to a scene.
+    template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
+        auto& [player, set, known] = self;
+        visit(player, set, known);
+    }
+    /// False unless every number is within its range, and no figure is named twice.
+    bool is_of(const Scene& scene) const;
+    /// Keeps the ids of figures that came with a file from being given out again, those of removed figures too.
+    void pass_generations() const;
+
   private:
     static constexpr Controls neutral{};
     std::optional<Controls> player_;
     std::vector<std::pair<FigureId, Controls>> set_;
     std::vector<std::pair<FigureId, Steered>> known_;
 
+    static Controls within_range(const Controls& controls);
     template <class WorldT> void run_in(const Scene& scene, WorldT& world) const;
 };
 

@@ -51,16 +51,16 @@ std::optional<Frame> unframed(std::span<const std::byte> bytes, SnapshotError& e
     if (bytes.size() < header_size) return refused(error, bytes.size(), "ends within the header");
     ByteReader reader(bytes.subspan(magic.size()), magic.size(), 0);
     const auto found = reader.number<std::uint32_t>();
-    if (found != version)
+    if (found < oldest_version || found > version)
         return refused(error, magic.size(),
-                       "version " + std::to_string(found) + " of the format; this program reads version " +
-                           std::to_string(version));
+                       "version " + std::to_string(found) + " of the format; this program reads versions " +
+                           std::to_string(oldest_version) + " to " + std::to_string(version));
     const auto dimension = reader.number<std::uint8_t>(), precision = reader.number<std::uint8_t>(),
                content = reader.number<std::uint8_t>(), zero = reader.number<std::uint8_t>();
     const bool is_known = (dimension == 2 || dimension == 3) && (precision == 32 || precision == 64) &&
                           content <= std::uint8_t(SnapshotContent::session) && zero == 0;
     if (!is_known) return refused(error, head_size - 4, "a header of no known sort");
-    Frame frame{{dimension, precision, SnapshotContent(content)}, {}, {}};
+    Frame frame{found, {dimension, precision, SnapshotContent(content)}, {}, {}};
     std::size_t at = header_size;
     for (std::size_t i = 0; i < parts; ++i) {
         const auto length = reader.number<std::uint64_t>(), expected = reader.number<std::uint64_t>();

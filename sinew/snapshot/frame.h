@@ -13,17 +13,19 @@
 ///     bytes of the parts: fixed, moving, session
 namespace sinew::snapshot {
 
-inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint32_t version = 2, oldest_version = 1;
+inline constexpr std::uint32_t version_with_steering = 2; ///< in the session, at its end
 inline constexpr std::size_t parts = 3;
 
 struct Frame {
+    std::uint32_t version = 0;
     SnapshotHeader header;
     std::array<std::span<const std::byte>, parts> part{};
     std::array<std::size_t, parts> at{}; ///< offset of each part
 };
 
 std::vector<std::byte> framed(const SnapshotHeader& header, const std::array<std::span<const std::byte>, parts>& part);
-/// Nothing, and an error, for anything but a whole and undamaged frame of this version.
+/// Nothing, and an error, for anything but a whole and undamaged frame of a known version.
 std::optional<Frame> unframed(std::span<const std::byte> bytes, SnapshotError& error);
 
 } // namespace sinew::snapshot

@@ -531,6 +531,58 @@ static void controls_go_with_their_figure(void) {
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
+static uint64_t hash_of(sinew_world world) {
+    uint64_t hash = 0;
+    CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK);
+    return hash;
+}
+
+/* Controls held when a world is saved are held where the bytes are opened: figures of the scene and of calls. */
+static void controls_are_saved(void) {
+    const char* scene = "{\"sinew\": 1, \"world\": {\"gravity\": [0, -10]}, \"figures\": [{\"prefab\": \"character\", "
+                        "\"name\": \"hero\"}, {\"prefab\": \"car\", \"name\": \"racer\", \"at\": [9, 0]}], "
+                        "\"colliders\": [{\"shape\": \"box\", \"size\": [90, 1], \"at\": [0, -0.5]}]}";
+    const char* names[] = {"hero", "racer", "walker", "driver"};
+    const sinew_parameter speed = {"speed", 3, NULL}, torque = {"torque", 90, NULL};
+    const sinew_figure_spec walker = {.struct_size = sizeof walker,
+                                      .prefab = "character",
+                                      .name = "walker",
+                                      .position = {-9, 0, 0},
+                                      .parameters = &speed,
+                                      .parameter_count = 1};
+    const sinew_figure_spec driver = {.struct_size = sizeof driver,
+                                      .prefab = "car",
+                                      .name = "driver",
+                                      .position = {-18, 0, 0},
+                                      .parameters = &torque,
+                                      .parameter_count = 1};
+    sinew_world world, copy, loaded;
+    CHECK(sinew_world_open(scene, NULL, &world) == SINEW_OK);
+    CHECK(sinew_world_add_figure(world, &walker, NULL) == SINEW_OK);
+    CHECK(sinew_world_add_figure(world, &driver, NULL) == SINEW_OK);
+    for (uint32_t i = 0; i < 4; ++i) {
+        const sinew_controls controls = {.struct_size = sizeof controls, .along = i % 2 ? 1 : -0.5, .jump = i == 2};
+        const uint8_t* bytes = NULL;
+        size_t size = 0;
+        uint32_t figure;
+        CHECK(sinew_world_find_figure(world, names[i], &figure) == SINEW_OK);
+        CHECK(sinew_world_steer(world, figure, &controls) == SINEW_OK &&
+              sinew_world_step(world, 7 + 3 * i) == SINEW_OK);
+        CHECK(sinew_world_save(world, &bytes, &size) == SINEW_OK);
+        CHECK(sinew_world_load(bytes, size, NULL, &loaded) == SINEW_OK);
+        CHECK(sinew_world_copy(world, &copy) == SINEW_OK);
+        for (int step = 0; step < 20; ++step) {
+            CHECK(hash_of(loaded) == hash_of(world) && hash_of(copy) == hash_of(world));
+            CHECK(sinew_world_step(world, 1) == SINEW_OK);
+            CHECK(sinew_world_step(loaded, 1) == SINEW_OK && sinew_world_step(copy, 1) == SINEW_OK);
+        }
+        CHECK(sinew_world_steer(loaded, figure, NULL) == SINEW_OK && sinew_world_step(loaded, 20) == SINEW_OK);
+        CHECK(sinew_world_step(world, 20) == SINEW_OK && hash_of(loaded) != hash_of(world));
+        CHECK(sinew_world_close(loaded) == SINEW_OK && sinew_world_close(copy) == SINEW_OK);
+    }
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
 static void controls_outlast_an_edit_of_the_scene(void) {
     const char* scene =
         "{\"sinew\": 1, \"world\": {\"gravity\": [0, -10]}, \"figures\": [{\"prefab\": \"character\", "
@@ -834,6 +886,7 @@ int main(void) {
     instruction_sets_agree();
     memory_is_the_callers();
     figures_are_steered();
+    controls_are_saved();
     controls_go_with_their_figure();
     controls_outlast_an_edit_of_the_scene();
     what_calls_have_added_outlasts_an_edit();

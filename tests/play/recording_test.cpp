@@ -98,6 +98,26 @@ TEST(Recording, IsReplayedToTheSameBits) {
     }
 }
 
+// A key that is held while an edit is undone is held afterwards, in a replay as well.
+TEST(Recording, OfAKeyHeldThroughAnUndoIsReplayed) {
+    for (const auto* scene : {"platformer", "rally"}) {
+        Recorded recorded(scene);
+        recorded.step(10);
+        recorded.timeline.act(play::Steer{{.along = 1}});
+        recorded.step(10);
+        recorded.timeline.edit(Tweak{.particle = 0, .position = {}, .velocity = Point{{1, 2, 0}}, .mass = {}}, "throw");
+        recorded.step(5);
+        recorded.timeline.undo();
+        recorded.step(20);
+        SnapshotError error;
+        auto recording = read(recorded.bytes, error);
+        ASSERT_TRUE(recording) << error.text();
+        const auto outcome = replay(std::move(*recording));
+        EXPECT_FALSE(outcome.divergence) << scene << ", step " << outcome.divergence->step;
+        EXPECT_EQ(outcome.hash, recorded.timeline.session().report().hash);
+    }
+}
+
 // Whatever ends the program: all up to the last complete step.
 TEST(Recording, ThatEndsAnywhereIsReadUpToThere) {
     Recorded recorded("ragdoll");

@@ -244,6 +244,26 @@ test("what rests falls asleep, and a collider that moves wakes and carries it", 
     simulation.dispose();
 });
 
+test("controls that are held are saved", () => {
+    const scene = {
+        sinew: 1, world: { gravity: [0, -10] }, colliders: [{ shape: "box", size: [90, 1], at: [0, -0.5] }],
+        figures: [{ prefab: "character", name: "hero" }, { prefab: "car", name: "racer", at: [9, 0] }],
+    };
+    const simulation = engine.open(scene);
+    for (const figure of ["hero", "racer"]) {
+        simulation.steer(figure, { along: 1, hold: true });
+        simulation.step(10);
+        const restored = engine.load(simulation.save());
+        for (const one of [simulation, restored]) one.step(20);
+        assert.equal(restored.hash(), simulation.hash());
+        restored.steer(figure);
+        for (const one of [simulation, restored]) one.step(20);
+        assert.notEqual(restored.hash(), simulation.hash());
+        restored.dispose();
+    }
+    simulation.dispose();
+});
+
 test("a saved simulation goes on as if it had never stopped", () => {
     for (const precision of ["double", "float"]) {
         const simulation = engine.open(pendulum, { overrides: [`precision=${precision}`] });
