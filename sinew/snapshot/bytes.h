@@ -44,6 +44,13 @@ class ByteWriter {
         number(std::uint8_t(value));
     }
     std::size_t size() const { return to_.size(); }
+    /// Appends zeros, to be filled in before anything else is appended.
+    std::byte* extend(std::size_t count) {
+        to_.resize(size() + count);
+        return to_.data() + size() - count;
+    }
+    /// Takes back the last bytes, down to a size.
+    void shrink(std::size_t size) { to_.resize(size); }
 
   private:
     std::vector<std::byte>& to_;
@@ -73,6 +80,8 @@ class ByteReader {
         at_ = bytes_.size();
     }
 
+    std::span<const std::byte> rest() const { return bytes_.subspan(at_); }
+    void skip(std::size_t count) { at_ += count; }
     void read(void* to, std::size_t count) {
         if (count > left()) {
             fail("ends early");
