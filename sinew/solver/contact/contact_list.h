@@ -39,6 +39,8 @@ template <int D, class Real> struct ContactList {
     std::vector<char> is_renewed, is_new;                         ///< per particle: whether it is among these
     std::vector<Real> radius;                                     ///< per particle, when listed
     std::vector<std::uint32_t> strip;                             ///< per particle, when listed
+    std::vector<Row> rows;                                        ///< per particle, when listed
+    std::vector<ContactSegment> links;                            ///< segments, when listed
 
     using SolidPair = std::array<std::uint32_t, 2>;
     std::vector<SolidPair> nested; ///< first segments of solids that overlap when the step begins, in order
@@ -64,6 +66,16 @@ template <int D, class Real> struct ContactList {
     std::array<std::uint32_t, contact_parts> end_before{};
     std::vector<ContactMultiplier<D, Real>> multipliers_before;
 
+    /// Features at the start of a step. Others than those listed end the list: their numbers differ, as where an area
+    /// was turned over and has other segments.
+    void note_features(const std::vector<ContactParticle<Real>>& of, const std::vector<ContactSegment>& between) {
+        const auto row_of = [](const auto& particle) { return particle.row; };
+        if (std::ranges::equal(rows, of, {}, {}, row_of) && links == between) return;
+        rows.clear();
+        for (const auto& particle : of) rows.push_back(particle.row);
+        links = between;
+        is_valid = false;
+    }
     /// Fills the grid of the segments.
     void fill_segments() {
         segments.fill(middle, segment_ball);

@@ -168,6 +168,7 @@ struct ContactSegment {
     bool is_inner = false;                    ///< between two filled areas of a figure: nothing touches it
     std::uint32_t first = 0, count = 0;       ///< segments around the same solid
     std::uint32_t number_a = 0, number_b = 0; ///< of the ends, among the particles
+    friend bool operator==(const ContactSegment&, const ContactSegment&) = default;
 };
 
 /// Number of parts (contact_parts.h).

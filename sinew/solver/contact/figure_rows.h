@@ -82,9 +82,9 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         ContactRowT row;
         row.normal = Vector::map([&](int k) { return near.normal[k]; });
         Real distance = near.distance, approach = near.approach;
-        if constexpr (D == 2)
-            if (remember_side(row, near.left >= Real(0), near.t, distance)) approach = -approach;
         const Real radius = min(end_a.radius, end_b.radius);
+        if constexpr (D == 2)
+            if (remember_side(row, near.left >= Real(0), near.t, distance, p.radius + radius)) approach = -approach;
         if constexpr (D == 3)
             if (remember_side(row, p, end_a, end_b, near.t, distance, p.radius + radius)) approach = -approach;
         row.gap = distance - p.radius - radius;
@@ -167,7 +167,8 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
             return false; // a corner inside leaves by a side
         }
         if constexpr (D == 2)
-            if (s.side == 0) remember_side(row, dot(row.normal, side_of(a, b)) >= Real(0), t, distance);
+            if (s.side == 0)
+                remember_side(row, dot(row.normal, side_of(a, b)) >= Real(0), t, distance, p.radius + radius);
         row.gap = distance - p.radius - radius;
         origin.deep = share_of_deep * (p.radius + radius);
         take(row, p.slot, Real(1));
@@ -197,12 +198,13 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         return finish(row, origin, from, other);
     }
 
-    /// A particle pressed through the middle of a segment is pushed back, not through. True if it is beyond.
-    bool remember_side(ContactRowT& row, bool is_left, Real t, Real& distance) const {
-        const bool is_between_ends = t > Real(0) && t < Real(1);
+    /// A particle pressed through the middle of a segment is pushed back, not through, as long as they touch. True if
+    /// it is beyond.
+    bool remember_side(ContactRowT& row, bool is_left, Real t, Real& distance, Real thickness) const {
+        const bool is_pressed = t > Real(0) && t < Real(1) && distance <= thickness;
         const int present = is_left ? 1 : -1, before = room_.multipliers[source_].side;
-        row.side = static_cast<signed char>(is_between_ends && before != 0 ? before : present);
-        if (row.side == present || !is_between_ends) return false;
+        row.side = static_cast<signed char>(is_pressed && before != 0 ? before : present);
+        if (row.side == present) return false;
         return turn_round(row, distance);
     }
 

@@ -12,9 +12,9 @@
 namespace sinew::detail {
 
 /// Rigid clusters of a graph of lengths, by trilateration: in the plane a particle joins the two ends of a link, and
-/// then every one that two lengths to members place; in 3D three. Lengths alone decide who joins, so a cluster does not
-/// depend on the time at which it is found; the sides come from the positions. What is rigid otherwise is left to its
-/// links.
+/// then every one that two lengths to members place; in 3D three. Lengths decide who joins, and positions on which
+/// side: while `has_same_sides`, a cluster does not depend on the time at which it is found. What is rigid otherwise is
+/// left to its links.
 template <int D> class RigidClusters {
   public:
     using Vector = Vec<D, double>;
@@ -32,7 +32,7 @@ template <int D> class RigidClusters {
 
     /// Forgets everything. `particles`: their number; `exact`: error of a length that counts as none, as a share of it.
     void begin(std::size_t particles, double exact) {
-        members.clear(), clusters.clear(), lengths_.clear();
+        members.clear(), clusters.clear(), lengths_.clear(), sides_.clear();
         cluster_of_.assign(particles, none), member_of_.assign(particles, none);
         exact_ = exact;
     }
@@ -44,6 +44,12 @@ template <int D> class RigidClusters {
         list_neighbours();
         for (const auto& seed : lengths_)
             if (is_free(seed.from) && is_free(seed.to)) grow(seed, position_of);
+    }
+    /// True if every particle is on the side of others on which it was found.
+    template <class PositionOf> bool has_same_sides(const PositionOf& position_of) const {
+        return std::all_of(sides_.begin(), sides_.end(), [&](const Side& side) {
+            return is_above(side.particle, side.of, position_of) == side.is_above;
+        });
     }
     /// `none` outside of clusters.
     std::uint32_t cluster_of(std::uint32_t particle) const { return cluster_of_[particle]; }
@@ -57,6 +63,14 @@ template <int D> class RigidClusters {
     struct Placing {
         double quality = 0; ///< height over the members, as a share of the longest length; `flattest` in their midst
         Vector rest{};
+        std::array<std::uint32_t, D> of{}; ///< these members
+        bool has_side = false, is_above = false;
+    };
+    /// Side of a particle: to the left of two others; in 3D above three.
+    struct Side {
+        std::uint32_t particle = 0;
+        std::array<std::uint32_t, D> of{};
+        bool is_above = false;
     };
     static constexpr double flattest = 3e-3; ///< quality with which a side is certain
 
@@ -66,6 +80,7 @@ template <int D> class RigidClusters {
     std::vector<std::uint32_t> cluster_of_, member_of_;
     std::vector<std::uint32_t> waiting_; ///< particles next to members, in order
     std::vector<Edge> known_;            ///< from a particle to members
+    std::vector<Side> sides_;            ///< of all particles that lengths left two places, whether they fitted or not
     double exact_ = 0;
 
     bool is_free(std::uint32_t particle) const { return cluster_of_[particle] == none; }
@@ -91,8 +106,10 @@ template <int D> class RigidClusters {
         if constexpr (D == 3) add_third(seed);
         for (std::size_t i = 0; i < waiting_.size(); ++i) // grows meanwhile
             if (const auto particle = waiting_[i]; is_free(particle))
-                if (const auto placing = place(particle, first, position_of); placing.quality >= flattest)
+                if (const auto placing = place(particle, first, position_of); placing.quality >= flattest) {
+                    if (placing.has_side) sides_.push_back({particle, placing.of, placing.is_above});
                     if (fits(placing.rest)) add(particle, placing.rest);
+                }
         const auto last = std::uint32_t(members.size());
         if (last - first > 2) {
             clusters.push_back({first, last});
@@ -159,6 +176,15 @@ template <int D> class RigidClusters {
     }
     static double quality_of(double height, double longest) { return height == 0 ? flattest : height / longest; }
 
+    template <class PositionOf>
+    static bool is_above(std::uint32_t particle, const std::array<std::uint32_t, D>& of,
+                         const PositionOf& position_of) {
+        const auto from = position_of(of[0]);
+        if constexpr (D == 2)
+            return cross(position_of(of[1]) - from, position_of(particle) - from) > 0;
+        else
+            return dot(cross(position_of(of[1]) - from, position_of(of[2]) - from), position_of(particle) - from) > 0;
+    }
     /// Intersection of two circles, or of three spheres.
     template <class PositionOf> Placing place_by(const std::array<Edge, D>& by, const PositionOf& position_of) const {
         const Vector origin = rest_of(by[0]), base = rest_of(by[1]) - origin;
@@ -166,12 +192,13 @@ template <int D> class RigidClusters {
         if (!(length > flattest * longest)) return {};
         const Vector x = base * (1 / length);
         const double along = along_base(length, by[0].length, by[1].length);
+        Placing placing;
+        for (std::size_t i = 0; i < D; ++i) placing.of[i] = by[i].to;
+        placing.is_above = is_above(by[0].from, placing.of, position_of);
+        double height = 0;
         if constexpr (D == 2) {
-            const double height = height_of(square(by[0].length) - square(along), longest);
-            const auto from = position_of(by[0].to);
-            const bool is_left = cross(position_of(by[1].to) - from, position_of(by[0].from) - from) > 0;
-            return {quality_of(height, longest),
-                    origin + x * along + Vector{{-x[1], x[0]}} * (is_left ? height : -height)};
+            height = height_of(square(by[0].length) - square(along), longest);
+            placing.rest = origin + x * along + Vector{{-x[1], x[0]}} * (placing.is_above ? height : -height);
         } else {
             const Vector aside = rest_of(by[2]) - origin, across = aside - x * dot(aside, x);
             const double width = norm(across);
@@ -179,12 +206,12 @@ template <int D> class RigidClusters {
             const Vector y = across * (1 / width), z = cross(x, y);
             const double third = (square(by[0].length) - square(by[2].length) + dot(aside, aside)) / 2;
             const double up = (third - along * dot(aside, x)) / width;
-            const double height = height_of(square(by[0].length) - square(along) - square(up), longest);
-            const auto from = position_of(by[0].to);
-            const auto normal = cross(position_of(by[1].to) - from, position_of(by[2].to) - from);
-            const bool is_above = dot(normal, position_of(by[0].from) - from) > 0;
-            return {quality_of(height, longest), origin + x * along + y * up + z * (is_above ? height : -height)};
+            height = height_of(square(by[0].length) - square(along) - square(up), longest);
+            placing.rest = origin + x * along + y * up + z * (placing.is_above ? height : -height);
         }
+        placing.quality = quality_of(height, longest);
+        placing.has_side = height > 0;
+        return placing;
     }
     /// True if all lengths to members agree.
     bool fits(const Vector& rest) const {

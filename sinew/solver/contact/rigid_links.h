@@ -70,7 +70,7 @@ template <int D, class Real> struct RigidLinks {
               std::vector<char>& is_exact) {
         const auto& state = solver.sweep_state;
         collect(world, solver, takes_part);
-        const bool is_same = found_ == last_;
+        const bool is_same = found_ == last_ && clusters.has_same_sides(places(world, state));
         if (is_same) {
             const auto& table = std::get<kind_number<Distance, D>>(world.constraints);
             for (auto& link : list) link.is_active = pulls(table, link);
@@ -167,7 +167,10 @@ template <int D, class Real> struct RigidLinks {
         clusters.begin(state.size(), exact);
         for (const auto& link : list)
             if (!link.is_rope && link.moves_a && link.moves_b) clusters.add_length(link.a, link.b, link.length);
-        clusters.find([&](std::uint32_t slot) { return cast<double>(world.particles.position[state.row_of[slot]]); });
+        clusters.find(places(world, state));
+    }
+    static auto places(const World<D, Real>& world, const SweepState<D, Real>& state) {
+        return [&](std::uint32_t slot) { return cast<double>(world.particles.position[state.row_of[slot]]); };
     }
     bool is_inner(const RigidLink& link) const {
         const auto cluster = clusters.cluster_of(link.a);
