@@ -122,7 +122,8 @@ class Calls {
 
     void take(sinew_world simulation) {
         simulations_.push_back(simulation);
-        sinew_info info{.struct_size = sizeof info};
+        sinew_info info{};
+        info.struct_size = sizeof info;
         demand(sinew_world_get_info(simulation, &info) == SINEW_OK);
         sinew_particle particle = 0;
         for (std::uint32_t row = 0; row < info.particles; row += 3)
@@ -266,8 +267,10 @@ class Calls {
     }
 
     void look() {
-        sinew_picture picture{.struct_size = sizeof picture};
-        sinew_view view{.struct_size = sizeof view};
+        sinew_picture picture{};
+        picture.struct_size = sizeof picture;
+        sinew_view view{};
+        view.struct_size = sizeof view;
         std::uint32_t count = 0;
         const auto which = program_.byte();
         if (which % 4 == 0) sinew_world_draw(simulation_, 1U + which, 100, which, &picture);
@@ -279,11 +282,13 @@ class Calls {
 
     /// Positions are finite: what is not is frozen where it was.
     static void check(sinew_world simulation) {
-        sinew_info info{.struct_size = sizeof info};
+        sinew_info info{};
+        info.struct_size = sizeof info;
         if (sinew_world_step(simulation, 1) != SINEW_OK || sinew_world_get_info(simulation, &info) != SINEW_OK) return;
         for (std::uint32_t row = 0; row < info.particles; ++row) {
             sinew_particle particle = 0;
-            sinew_particle_state state{.struct_size = sizeof state};
+            sinew_particle_state state{};
+            state.struct_size = sizeof state;
             demand(sinew_world_particle_at(simulation, row, &particle) == SINEW_OK);
             demand(sinew_world_get_particle(simulation, particle, &state) == SINEW_OK);
             for (const double x : state.position) demand(std::isfinite(x));

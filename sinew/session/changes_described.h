@@ -5,6 +5,7 @@
 #include "sinew/world/colliders.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace sinew::detail {
@@ -43,12 +44,15 @@ template <class WorldT> class Described {
         auto& contacts = all_.fresh.contacts;
         contacts.lists_planes = contacts.lists_planes || all_.old.contacts.lists_planes;
         contacts.lists_figures = contacts.lists_figures || all_.old.contacts.lists_figures;
+        merge(all_.base.contacts.hit_impulse, all_.old.contacts.hit_impulse, contacts.hit_impulse);
     }
 
     /// Colliders of the scene have the number of their section as a tag.
     void merge_colliders() {
         for (std::uint32_t tag = 0; tag < all_.worlds.scene.colliders.size(); ++tag) {
-            const auto before = tagged(all_.base, tag), was = tagged(all_.old, tag), is = tagged(all_.fresh, tag);
+            const auto same = same_section(tag);
+            if (!same) continue;
+            const auto before = tagged(all_.base, tag), was = tagged(all_.old, tag), is = tagged(all_.fresh, *same);
             if (before.size() != is.size()) continue;
             for (std::size_t i = 0; i < is.size(); ++i)
                 if (was.size() == is.size())
@@ -56,6 +60,16 @@ template <class WorldT> class Described {
                 else
                     gone_colliders_.push_back(all_.fresh.collider_handles.id_of(is[i]));
         }
+    }
+    /// Number of a section in the edited scene: by its name; by its number where it has none, and as many are there.
+    std::optional<std::uint32_t> same_section(std::uint32_t number) const {
+        const auto &before = all_.worlds.scene.colliders, &now = all_.worlds.edited.colliders;
+        const auto& name = before[number].name;
+        if (before.size() == now.size() && now[number].name == name) return number;
+        if (name.empty()) return std::nullopt;
+        const auto found = std::ranges::find(now, name, &ColliderSection::name);
+        if (found == now.end()) return std::nullopt;
+        return std::uint32_t(found - now.begin());
     }
     static std::vector<Row> tagged(const WorldT& world, std::uint32_t tag) {
         std::vector<Row> rows;
@@ -79,7 +93,7 @@ template <class WorldT> class Described {
             if (is && !was && is_unchanged(figure, all_.fresh.figures[*is])) gone_figures_.push_back(*is);
             if (was && is && *was == *is) all_.fresh.figures[*is].generation = all_.old.figures[*was].generation;
             if (was && goes_on) merge_constraints(figure, all_.old.figures[*was], all_.fresh.figures[*is]);
-            if (was && is && !goes_on && !has_same_size(figure, all_.old.figures[*was]))
+            if (was && is && !goes_on && !has_same_form(figure, all_.old.figures[*was]))
                 all_.lose(
                     concat("the figure ", in_quotes(figure.name), " has been cut or joined, and would begin anew"));
         }
@@ -87,8 +101,13 @@ template <class WorldT> class Described {
             if (all_.rows.old_of_base[row] != no_row && all_.rows.fresh_of_base[row] != no_row)
                 merge_particle({row, all_.rows.old_of_base[row], all_.rows.fresh_of_base[row]});
     }
-    static bool has_same_size(const Figure& a, const Figure& b) {
-        return a.particles.size() == b.particles.size() && a.constraints.size() == b.constraints.size();
+    /// True unless parts have been added to a figure of the old world, or removed from it: their ids stay in its lists.
+    bool has_same_form(const Figure& before, const Figure& was) const {
+        bool is_whole =
+            before.particles.size() == was.particles.size() && before.constraints.size() == was.constraints.size();
+        for (const auto& id : was.particles) is_whole = is_whole && row_of(all_.old, id);
+        for (const auto& id : was.constraints) is_whole = is_whole && constraint_state(all_.old, id);
+        return is_whole;
     }
     /// True if both figures have the same particles at the same places.
     bool is_unchanged(const Figure& before, const Figure& is) const {

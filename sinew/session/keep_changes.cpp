@@ -115,17 +115,27 @@ template <class WorldT> void carry_contacts(const WorldT& old, WorldT& fresh) {
         if (has_figures(touch)) to.figures.push_back(touch);
 }
 
+/// Number of constraints that belong to no figure.
+template <class WorldT> std::size_t loose_constraints(const WorldT& world) {
+    std::size_t count = 0;
+    for_each_table(world, [&](const auto& table) {
+        for (Row row = 0; row < table.size(); ++row) count += table.figure[row] == no_figure ? 1 : 0;
+    });
+    return count;
+}
 /// Reason why a world of another type loses something: none of its parts goes on.
-template <class WorldT> std::string lost_of(const Scene& scene, const WorldT& old) {
-    const auto is_described = [&](const Figure& figure) {
-        return std::ranges::any_of(scene.figures, [&](const auto& one) { return name_of(one) == figure.name; });
-    };
+template <class WorldT> std::string lost_of(const Replacement& worlds, const WorldT& old) {
+    const auto base = instantiate(worlds.scene);
+    const auto& began = std::get<WorldT>(base);
+    const auto is_described = [&](const Figure& figure) { return find_figure(began, figure.name).has_value(); };
     const bool has_added =
         std::ranges::any_of(old.figures,
                             [&](const Figure& figure) { return figure.in_use() && !is_described(figure); }) ||
         std::ranges::find(old.particles.figure, no_figure) != old.particles.figure.end() ||
-        std::ranges::any_of(old.colliders, [&](const auto& one) { return one.tag >= scene.colliders.size(); });
-    return has_added ? "figures, particles and colliders that were added cannot go on in another dimension or precision"
+        old.colliders.size() > began.colliders.size() || loose_constraints(old) > loose_constraints(began) ||
+        old.pins.size() > began.pins.size() + worlds.not_kept.size();
+    return has_added ? "figures, particles, constraints, pins and colliders that were added cannot go on in another "
+                       "dimension or precision"
                      : "";
 }
 
@@ -147,7 +157,7 @@ std::string keep_changes(const Replacement& worlds, Renamed& renamed) {
     return std::visit(
         [&]<class WorldT>(const WorldT& old) {
             auto* fresh = std::get_if<WorldT>(&worlds.fresh);
-            if (!fresh) return lost_of(worlds.scene, old);
+            if (!fresh) return lost_of(worlds, old);
             const auto base = instantiate(worlds.scene);
             Merge<WorldT> merge(std::get<WorldT>(base), worlds, old, *fresh);
             Described<WorldT>(merge).merge_all();

@@ -12,6 +12,7 @@ namespace sinew {
 /// A world that takes the place of another: that of an edited scene, with the state of the figures that go on.
 struct Replacement {
     const Scene& scene;                    ///< the scene before
+    const Scene& edited;                   ///< and after
     const AnyWorld& old;                   ///< its world
     AnyWorld& fresh;                       ///< the new one, as migrate_state() leaves it
     std::span<const FigureIndex> going_on; ///< figures of the new world that keep their state
@@ -29,7 +30,8 @@ struct Renamed {
 
 /// Brings into the new world all changes by calls and events of the old one since its scene was built: figures,
 /// particles, constraints, pins and colliders that were added, those that were removed, and numbers that were set, as
-/// long as the edit leaves their descriptions alone. Ids of the old world hold in the new one. Returns the reason why
+/// long as the edit leaves their descriptions alone. Ids of the old world hold in the new one, but for parts of figures
+/// that begin anew. Returns the reason why
 /// something cannot go on; empty if all does.
 std::string keep_changes(const Replacement& worlds, Renamed& renamed);
 

@@ -76,7 +76,7 @@ std::string Session::become(Scene scene, std::shared_ptr<Level> level) {
 std::string Session::keep_changes_of(const Scene& scene, const AnyWorld& old, std::span<const FigureIndex> going_on) {
     Renamed renamed;
     const auto held = grabs_.pins();
-    auto lost = keep_changes({scene, old, world_, going_on, held}, renamed);
+    auto lost = keep_changes({scene, scene_, old, world_, going_on, held}, renamed);
     for (auto& driven : driven_) renamed.rename(driven.pin);
     winder_.each([&](ConstraintId& id) { renamed.rename(id); });
     return lost;

@@ -116,7 +116,8 @@ template <int D, class Real> std::uint64_t Rollback<D, Real>::parameters_of(cons
 template <int D, class Real> std::size_t Rollback<D, Real>::bytes() const {
     if (size_ == 0) return 0;
     const auto& [fixed, position, previous, moving] = at(0);
-    return moving.size() + position->size() + (previous.use_count() > 1 ? 0 : previous->size());
+    const bool is_shared = size_ > 1 && previous == at(1).position; // with the moment before
+    return moving.size() + position->size() + (is_shared ? 0 : previous->size());
 }
 
 /// `before`: positions of the latest moment. Takes a buffer of the moment that is overwritten, where no other shares

@@ -98,14 +98,14 @@ export class Engine {
 
     /** Calls a function of the C face; throws if it fails. */
     call(name, ...given) {
-        this.data.clearResult();
+        this.data.sizeResult();
         const result = this.exports[name](...given);
         if (result !== status.ok) this.fail(result);
     }
 
     /** The same, but false for status.notFound. */
     finds(name, ...given) {
-        this.data.clearResult();
+        this.data.sizeResult();
         const result = this.exports[name](...given);
         if (result !== status.ok && result !== status.notFound) this.fail(result);
         return result === status.ok;

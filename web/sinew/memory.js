@@ -35,7 +35,7 @@ export class Memory {
     }
 
     /** The room for a result, which begins with its size as a struct does. */
-    clearResult() { this.view.setUint32(this.result, resultBytes, true); }
+    sizeResult() { this.view.setUint32(this.result, resultBytes, true); }
 
     uint(at) { return this.view.getUint32(at, true); }
     float(at) { return this.view.getFloat32(at, true); }

@@ -79,7 +79,6 @@ template <class Real> struct ReboundRow {
     Real target = 0;                            ///< displacement after it, at least
     Real impulse = 0;                           ///< h newton seconds
     std::uint32_t strikes = 0;                  ///< in the substep
-    Real mass = 0; ///< impulse per displacement, as the whole figure answers; 0: not known yet
 };
 
 /// Scratch of the Delassus operator of a group of rows (delassus.h).
@@ -89,6 +88,7 @@ template <int D, class Real> struct DelassusRoom {
         Vec<D, Real> moved{};            ///< displacement by members with links
         Vec<D, Real> impulse{};          ///< not given to these members yet, h newton seconds
         Matrix<D, Real> own{};           ///< response to an impulse of its own, 1 / kg
+        Real mass = 0;                   ///< 1 / response along the normal, kg
         std::size_t first = 0, last = 0; ///< entries
         bool is_known = false, is_kept = false, has_lone = false;
     };

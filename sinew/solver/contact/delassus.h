@@ -28,11 +28,7 @@ template <int D, class Real> class Delassus {
         list([&](RowT& row) {
             const auto number = std::uint32_t(all_.contacts.size());
             all_.contacts.push_back({.row = &row, .moved = moved_linked(row)});
-            auto& contact = all_.contacts.back();
-            each_lone(row, [&](std::size_t i) {
-                contact.has_lone = true;
-                contact.own += Matrix::diagonal(square(row.weight[i]) * state_.mobility[row.slot[i]]);
-            });
+            each_lone(row, [&](std::size_t) { all_.contacts.back().has_lone = true; });
             each_component(row, [&](std::uint32_t component) { all_.touching.push_back({component, number}); });
         });
         sinew::sort(all_.touching.begin(), all_.touching.end());
@@ -48,6 +44,11 @@ template <int D, class Real> class Delassus {
     Real mass_along(std::size_t contact, const Vector& direction) {
         learn(contact);
         return inverse_or_zero(dot(direction, all_.contacts[contact].own * direction));
+    }
+    /// Mass that an impulse along the normal of its row feels.
+    Real mass(std::size_t contact) {
+        learn(contact);
+        return all_.contacts[contact].mass;
     }
     void push(std::size_t contact, const Vector& impulse) {
         if (impulse == Vector{}) return;
@@ -65,7 +66,8 @@ template <int D, class Real> class Delassus {
                 all_.contacts[other].moved += response * impulse;
             });
     }
-    /// Gives the impulses to the particles, and holds the links of each figure: a rope may let go or take hold.
+    /// Gives the impulses to the particles, and holds the links of each figure. Where a rope lets go or takes hold, the
+    /// figure answers otherwise from then on.
     void finish() {
         for (std::size_t i = 0, next = 0; i < all_.touching.size(); i = next) {
             const auto component = all_.touching[i].component;
@@ -79,7 +81,8 @@ template <int D, class Real> class Delassus {
                     if (component_of(contact.row->slot[k]) == component)
                         give(member = contact.row->slot[k], contact.impulse * contact.row->weight[k]);
             }
-            if (is_pushed) projector().project_velocities(state_, member);
+            if (!is_pushed || !projector().project_velocities(state_, member)) continue;
+            for (const auto& touching : contacts_of(component)) all_.contacts[touching.contact].is_known = false;
         }
         for (auto& one : all_.contacts) one.impulse = {}, one.moved = moved_linked(*one.row);
     }
@@ -137,6 +140,10 @@ template <int D, class Real> class Delassus {
         if (one.is_known) return;
         one.is_known = true;
         one.first = all_.entries.size();
+        one.own = {};
+        each_lone(*one.row, [&](std::size_t i) {
+            one.own += Matrix::diagonal(square(one.row->weight[i]) * state_.mobility[one.row->slot[i]]);
+        });
         std::size_t count = 0;
         each_component(*one.row, [&](std::uint32_t component) { count += contacts_of(component).size(); });
         one.is_kept = one.first + count <= most_entries;
@@ -145,6 +152,7 @@ template <int D, class Real> class Delassus {
             if (one.is_kept) all_.entries.push_back({other, response});
         });
         one.last = all_.entries.size();
+        one.mass = inverse_or_zero(dot(one.row->normal, one.own * one.row->normal));
     }
     /// Calls visit(other, response) for the contacts of each component that a contact meets: displacement there for an
     /// impulse here.

@@ -56,7 +56,7 @@ template <int D, class Real> class FigureContact {
         if (!is_active_) return;
         PinRows<D, Real>(world_, solver_, h_, from_, to_).solve();
         room().joints.solve(state_, Soft::contact());
-        solve_rows(&Soft::contact, Soft::hard(), [](const auto&, const RowT&, const Origin&) { return true; });
+        solve_rows(&Soft::contact, Soft::hard(), [](const Origin&, const auto&) { return true; });
         deep_.hold();
         room().projector.project_lengths(state_, threads_);
         if constexpr (D == 3) deep_.hold_again();
@@ -74,11 +74,11 @@ template <int D, class Real> class FigureContact {
         room().projector.restore_energy(state_, threads_);
         each_part([&](Part& part) { rows_.follow_centres(part); });
         room().joints.solve(state_, Soft::none());
-        solve_rows([](Real) { return Soft::none(); }, Soft::none(),
-                   [&](const auto& rows, const RowT& row, const Origin& origin) {
-                       return !Rebounds<D, Real>(room(), state_, rows, h_).awaits_blow(row, origin);
-                   });
-        Rebounds<D, Real>(room(), state_, rows_, h_).forget_blows();
+        Rebounds<D, Real> rebounds(room(), state_, rows_, h_);
+        solve_rows(
+            [](Real) { return Soft::none(); }, Soft::none(),
+            [&](const Origin& origin, const auto& change_of) { return !rebounds.awaits_blow(origin, change_of); });
+        rebounds.forget_blows();
         keep();
     }
 
@@ -95,20 +95,20 @@ template <int D, class Real> class FigureContact {
 
     auto& room() { return *solver_.contacts; }
 
-    /// A pass over all rows for which acts(solver, row, origin), those kept with softness for the mass that they carry;
-    /// then the links are held.
+    /// A pass over all rows for which acts(origin, change of the gap), those kept with softness for the mass they
+    /// carry; then the links are held.
     template <class Soften, class Acts> void solve_rows(const Soften& soften, const Soft& others, const Acts& acts) {
         const auto kept = soften(Real(1));
         room().projector.begin_rows(state_, threads_);
         const auto rows = rows_on_clusters();
         each_part([&](Part& part) {
             rows.each(part, [&](RowT& row, const Origin& origin, const Vector& surface) {
-                if (!row.is_held && !row.is_repeated && acts(rows, row, origin))
+                if (!row.is_held && !row.is_repeated && acts(origin, [&] { return rows.change(row, surface); }))
                     rows.solve(row, row.keeps ? kept : others, surface);
             });
         });
         RowIslands<D, Real>(room(), state_).solve(rows, soften, [&](const RowT& row, const Origin& origin) {
-            return acts(rows, row, origin);
+            return acts(origin, [&] { return rows.change(row, origin.surface_displacement); });
         });
         room().projector.end_rows(state_, threads_);
         solve_held(kept, acts);
@@ -130,7 +130,9 @@ template <int D, class Real> class FigureContact {
             settle_rows(
                 room(), island, {.most = most, .exact = exact},
                 [&](std::size_t i, RowT& row, const Origin& origin) {
-                    if (acts(rows_, row, origin)) rows_.solve(row, nodes_of(i), soft, origin.surface_displacement);
+                    const auto& surface = origin.surface_displacement;
+                    const auto change = [&] { return dot(row.normal, nodes_of(i).displacement() - surface); };
+                    if (acts(origin, change)) rows_.solve(row, nodes_of(i), soft, surface);
                 },
                 [&](std::size_t i, RowT& row, const Vector& impulse) { rows_.add(row, nodes_of(i), impulse); });
             figures.finish();

@@ -80,8 +80,12 @@ template <int D, class Real> class LinkProjector {
 
     /// Displacements for impulses, with the lengths held.
     LinkResponse<D, Real> response(const SweepState<D, Real>& state) { return {links_, packs_, state}; }
-    /// Projects the velocities of the component of a particle.
-    void project_velocities(SweepState<D, Real>& state, Row slot) { run_at(slot, kernels_->velocities, state); }
+    /// Projects the velocities of the component of a particle; true if a rope has let go or taken hold.
+    bool project_velocities(SweepState<D, Real>& state, Row slot) {
+        const auto before = ropes_that_pull(slot);
+        run_at(slot, kernels_->velocities, state);
+        return before != ropes_that_pull(slot);
+    }
     /// Marks the component of a particle for `project_lengths_again`.
     void mark(Row slot) {
         const auto component = links_.component_of[slot];
@@ -152,6 +156,16 @@ template <int D, class Real> class LinkProjector {
     }
     LinkColumns<D, Real> columns(const SweepState<D, Real>& state) {
         return {state.position[0], state.displacement[0], state.stride(), state.mobility, motions_.data()};
+    }
+    /// Hash of the set; 0 without ropes.
+    std::uint64_t ropes_that_pull(Row slot) const {
+        if (links_.component_of[slot] == RigidLinks<D, Real>::none) return 0;
+        const auto [pack, lane] = packs_.place_of(links_.component_of[slot]);
+        const auto& links = packs_.list[pack];
+        std::uint64_t hash = 0;
+        for (std::size_t k = 0; links.has_ropes && k < links.links; ++k)
+            hash = hash * 1099511628211ULL + (links.of_link(k, LinkFields<D>::active)[lane] > 0 ? 1 : 2);
+        return hash;
     }
     /// The component of a particle.
     void run_at(Row slot, typename LinkKernels<D, Real>::Project project, const SweepState<D, Real>& state) {

@@ -41,9 +41,9 @@ template <int D, class Real> class Rebounds {
         }
     }
     /// True for a row that strikes in the next substep, and rebounds then: until then nothing slows it down.
-    bool awaits_blow(const RowT& row, const ContactOrigin<D, Real>& origin) const {
-        return origin.restitution > Real(0) &&
-               rebound_after(-rows_.change(row, origin.surface_displacement), Real(1), resting_);
+    /// `change_of()`: change of its gap in a substep.
+    template <class ChangeOf> bool awaits_blow(const ContactOrigin<D, Real>& origin, const ChangeOf& change_of) const {
+        return origin.restitution > Real(0) && rebound_after(-change_of(), Real(1), resting_);
     }
     /// After the move: the impulse of a blow is no load that goes on into the next substep.
     void forget_blows() {
@@ -173,11 +173,11 @@ template <int D, class Real> class Rebounds {
         auto& one = body[i];
         const Real lacking = one.target - change(body, i);
         if (!(lacking > Real(0)) && one.impulse == Real(0)) return 0;
-        if (one.mass == Real(0)) one.mass = figures_.mass_along(i, figures_.row(i).normal);
-        const Real next = clamp(one.impulse + lacking * one.mass, Real(0), limit::multiplier<Real>);
+        const Real mass = figures_.mass(i);
+        const Real next = clamp(one.impulse + lacking * mass, Real(0), limit::multiplier<Real>);
         const Real added = next - one.impulse;
         push(body, i, added);
-        return absolute(added) * inverse_or_zero(one.mass);
+        return absolute(added) * inverse_or_zero(mass);
     }
     void push(std::span<Rebounding> body, std::size_t i, Real impulse) {
         figures_.push(i, figures_.row(i).normal * impulse);

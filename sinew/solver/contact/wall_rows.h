@@ -2,7 +2,9 @@
 
 #include "sinew/collide/moving_collider.h"
 #include "sinew/solver/contact/collider_sweep.h"
+#include "sinew/solver/contact/contact_law.h"
 #include "sinew/solver/contact/row_writer.h"
+#include "sinew/solver/contact/softness.h"
 
 namespace sinew::detail {
 
@@ -221,6 +223,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
     void add(ContactRowT& row, Origin& origin, const ContactKey& key) {
         if (const auto* kept = find_kept(key)) row.multiplier = kept->multiplier, row.tangent = kept->friction;
         origin.source = std::uint32_t(part_.wall_keys.size());
+        if (room_.is_buried_at(row.slot[0])) row.gap = max(row.gap, -way_out(p_.radius[state_.row_of[row.slot[0]]]));
         const bool acts = row.multiplier > Real(0);
         if (!add(row, origin, acts ? std::numeric_limits<Real>::max() : norm(state_.gravity) * square(h_) * Real(4)))
             return;
@@ -228,6 +231,12 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         // A hand may pull a limb into a wall within a single substep.
         const auto number = std::uint32_t(part_.rows.size() - 1);
         if (row.keeps && (part_.deep.empty() || part_.deep.back() != number)) part_.deep.push_back(number);
+    }
+    /// Depth that rows see of a figure which hangs on a particle behind a wall: there may be no way out, so all of it
+    /// comes out as slowly as from a sixteenth of its radius.
+    Real way_out(Real radius) const {
+        const Real depth = radius / Real(16);
+        return (depth - depth_left(depth, norm(state_.gravity), h_)) / Softness<Real>::contact().rate;
     }
     /// True for features that the collider, or a neighbouring part of it, held in the last substep: contacts give a
     /// little, so a one-way collider cannot tell by their place.
