@@ -876,7 +876,7 @@ SINEW_PROGRAM_API sinew_status sinew_world_set_simd(sinew_world world, const cha
 
 /* Memory of the library. `alignment` is a power of 2. Null ends the program (std::terminate): where memory may run out,
  * the function makes room before it returns. `release` gets the size that was asked for. Both may be called by any
- * thread that steps. */
+ * thread that steps. `context` outlives all blocks, those of the library's own tables and messages included. */
 typedef void* (*sinew_allocate_function)(void* context, size_t size, size_t alignment);
 typedef void (*sinew_release_function)(void* context, void* memory, size_t size);
 /* Null: malloc and free. Blocks go back to where they came from, so the allocator may change at any time. Steps of a
