@@ -88,7 +88,7 @@ TEST(Rollback, GoesBackToWheelsAndFeetAsTheyWere) {
     }
 }
 
-// Where a moment shares nothing with the one before: after teleports, and where steps are taken in between.
+// A moment shares nothing with the one before after teleports, and where steps are taken in between.
 TEST(Rollback, KeepsPositionsThatTheMomentBeforeHasNot) {
     Simulation<3, float> simulation;
     auto& world = simulation.world;

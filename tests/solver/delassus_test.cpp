@@ -18,8 +18,8 @@ using namespace test;
 template <class Type> struct Delassus : ::testing::Test {};
 TYPED_TEST_SUITE(Delassus, Everywhere, Names);
 
-/// A ragdoll, a limb and loose balls in a heap in a bin.
-template <int D, class Real> void drop_heap(Stepped<D, Real>& world) {
+/// A ragdoll, a limb and loose balls in a heap in a bin, once they have fallen; the solver of their rows.
+template <int D, class Real> detail::RowSolver<D, Real> drop_heap(Stepped<D, Real>& world) {
     fall(world, 10);
     world.bounds.push_back({Vec<D, Real>::axis(1)});
     for (int k = 0; k < D; k += 2)
@@ -33,6 +33,8 @@ template <int D, class Real> void drop_heap(Stepped<D, Real>& world) {
         drop(Ball{.radius = 0.1, .mass = 3}, "ball_" + std::to_string(i), 0.05 * i, 2.5 + 0.3 * i);
     for (FigureIndex i = 0; i < world.figures.size(); ++i)
         set_contact(world, i, {.figures = true, .friction = 0.4, .bounce = 0.3});
+    run(world, 1.2);
+    return {world.solver.sweep_state, Real(1e6)};
 }
 
 TYPED_TEST(Delassus, ForetellsWhatFiguresDo) {
@@ -40,11 +42,9 @@ TYPED_TEST(Delassus, ForetellsWhatFiguresDo) {
     using Real = typename TypeParam::Real;
     using Vector = Vec<D, Real>;
     Stepped<D, Real> world;
-    drop_heap(world);
-    run(world, 1.2);
+    const auto rows = drop_heap(world);
     auto& state = world.solver.sweep_state;
     auto& room = contact_room(world.solver);
-    const detail::RowSolver<D, Real> rows(state, Real(1e6));
     detail::Delassus<D, Real> figures(room, state, rows);
     std::size_t count = 0;
     figures.begin([&](const auto& add) {
@@ -81,11 +81,9 @@ TYPED_TEST(Delassus, KnowsTheMassThatAContactFeels) {
     using Real = typename TypeParam::Real;
     using Vector = Vec<D, Real>;
     Stepped<D, Real> world;
-    drop_heap(world);
-    run(world, 1.2);
+    const auto rows = drop_heap(world);
     auto& state = world.solver.sweep_state;
     auto& room = contact_room(world.solver);
-    const detail::RowSolver<D, Real> rows(state, Real(1e6));
     for (auto& part : room.parts.list)
         for (auto& row : part.rows) {
             detail::Delassus<D, Real> figures(room, state, rows);
