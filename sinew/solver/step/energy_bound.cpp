@@ -67,7 +67,7 @@ template <int D, class Real> class EnergyBound {
         detail::SleepIslands<D, Real> islands(world_, bodies_, Real(dt_));
         islands.mark_moved();
         mark_driven();
-        islands.find_met(room_.position);
+        islands.find_met(room_.position, room_.velocity);
         if (!choose()) return;
         room_.islands.assign(bodies_.boxes.size(), {});
         each_judged([&](std::uint32_t i) { island(i).sum += room_.bodies[i], ++island(i).bodies; });

@@ -33,13 +33,16 @@ template <int D, class Real> class SleepIslands {
         make_boxes();
         join();
     }
-    /// Joins what may have touched in a step that is over, which began at the positions `before`.
-    void find_met(std::span<const Vec<D, Real>> before) {
+    /// Joins what may have touched in a step that is over, which began at the positions and velocities `before`: a blow
+    /// is foreseen, and turns a body back before it gets there.
+    void find_met(std::span<const Vec<D, Real>> before, std::span<const Vec<D, Real>> velocity) {
         constexpr Real little = Real(0.01); // of the size: gaps at which contacts begin
         room_.boxes.assign(room_.bodies.size(), BoxT{});
-        for (Row row = 0; row < p_.size(); ++row)
+        for (Row row = 0; row < p_.size(); ++row) {
+            const Real way = max(norm(velocity[row]), norm(p_.velocity[row])) * dt_;
             for (const auto& place : {before[row], p_.position[row]})
-                include(room_.boxes[room_.body_of[row]], row, place);
+                include(room_.boxes[room_.body_of[row]], row, place, way);
+        }
         for (const auto& [body, row] : room_.attached) include(room_.boxes[body], row, p_.position[row]);
         for (auto& box : room_.boxes)
             if (box.low[0] <= box.high[0]) box = box.grown(little * norm(box.high - box.low));
@@ -97,9 +100,9 @@ template <int D, class Real> class SleepIslands {
         for (const auto& collider : world_.colliders)
             room_.boxes.push_back(collide::bounds_in_step(collider).grown(half));
     }
-    void include(BoxT& box, Row row, const Vec<D, Real>& place) const {
-        const auto wide = Vec<D, Real>::map([&](int) { return p_.radius[row]; });
-        if (!is_finite(place) || !is_finite(p_.radius[row])) return;
+    void include(BoxT& box, Row row, const Vec<D, Real>& place, Real way = 0) const {
+        const auto wide = Vec<D, Real>::map([&](int) { return p_.radius[row] + way; });
+        if (!is_finite(place) || !is_finite(wide)) return;
         box.include(place - wide);
         box.include(place + wide);
     }
