@@ -117,6 +117,7 @@ template <int D, class Real> class FeatureFinder {
             const Real radius = min(radius_at(segment.number_a), radius_at(segment.number_b));
             for (const auto end : {segment.number_a, segment.number_b}) {
                 room_.particles[end].in_segment = true;
+                room_.particles[end].beside = segment.number_a + segment.number_b - end;
                 room_.particles[end].is_covered |= radius_at(end) <= radius;
             }
             ++first[segment.number_a + 2];

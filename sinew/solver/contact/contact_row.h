@@ -10,15 +10,38 @@
 
 namespace sinew {
 
+/// Link on one side of a row. Its surface, at which friction acts, turns with it: with u the displacements of its ends,
+///
+///     displacement of the surface = that of its line + omega x (-r n),   omega = d x (u_b - u_a) / length
+///
+/// with d the direction of the link; its share in the displacement of the contact has the sign of the weights. In space
+/// a link does not turn about itself.
+template <int D, class Real> struct ContactLever {
+    using Vector = Vec<D, Real>;
+    Real radius = 0;
+    Vector along{};            ///< -d r / length, with r the radius times the arm of the row
+    std::uint8_t a = 0, b = 0; ///< members at its ends
+
+    Vector turned(const Vector& normal, const Vector& between) const {
+        return between * dot(along, normal) - along * dot(normal, between);
+    }
+    /// Impulse on the end b, and against the end a, for one on the surface: the transpose.
+    Vector couple(const Vector& normal, const Vector& impulse) const {
+        return impulse * dot(along, normal) - normal * dot(along, impulse);
+    }
+};
+
 /// A row of contact between features of figures, or of a figure and a wall, in one substep:
 ///
 ///     gap + sum of weight_i dot(normal, displacement_i) - dot(normal, surface_displacement)  >=  0
 ///
-/// All passes over the rows read these numbers: 64 bytes in the plane, in floats.
+/// All passes over the rows read these numbers.
 template <int D, class Real> struct ContactRow {
     using Vector = Vec<D, Real>;
-    std::array<Row, D + 1> slot{};    ///< slots of the sweep
-    std::array<Real, D + 1> weight{}; ///< shares of the contact point, positive on the normal's side
+    static constexpr std::size_t most = 4; ///< members
+    std::array<Row, most> slot{};          ///< slots of the sweep
+    std::array<Real, most> weight{};       ///< shares of the contact point, positive on the normal's side
+    std::array<ContactLever<D, Real>, 2> lever{};
     Vector normal{};
     Vector tangent{}; ///< multiplier of friction
     Real gap = 0;     ///< at the start of the substep, metres; negative for an overlap
@@ -26,8 +49,8 @@ template <int D, class Real> struct ContactRow {
     Real friction = 0;
     Real multiplier = 0; ///< h newton seconds, >= 0
     Real max = 0;        ///< largest multiplier in this substep
-    Real arm = 0;        ///< at which friction turns balls, as a share of their radii; 0: it turns nothing
-    std::uint8_t members = 0;
+    Real arm = 0;        ///< at which friction turns balls and links, as a share of their radii; 0: it turns nothing
+    std::uint8_t members = 0, levers = 0;
     bool keeps = true; ///< the multiplier outlasts the substep
     bool acts_on_clusters = false;
     bool is_held = false;     ///< solved as the whole figures answer
@@ -36,14 +59,30 @@ template <int D, class Real> struct ContactRow {
     signed char side = 0;     ///< 2D: of the segment on which the particle is, 1: left of a-b
 
     std::span<const Row> slots() const { return std::span(slot).first(members); }
+    /// Displacement of the contact by that of a member.
+    Vector by_member(std::size_t i, const Vector& moved) const {
+        auto sum = moved * weight[i];
+        for (std::size_t k = 0; k < levers; ++k)
+            if (lever[k].a == i || lever[k].b == i) sum += lever[k].turned(normal, lever[k].b == i ? moved : -moved);
+        return sum;
+    }
+    /// Impulse on a member for one on the contact: the transpose.
+    Vector on_member(std::size_t i, const Vector& impulse) const {
+        auto sum = impulse * weight[i];
+        for (std::size_t k = 0; k < levers; ++k)
+            if (lever[k].a == i || lever[k].b == i)
+                sum += lever[k].couple(normal, lever[k].b == i ? impulse : -impulse);
+        return sum;
+    }
 };
 
 /// The rest of a row.
 template <int D, class Real> struct ContactOrigin {
-    static constexpr Real share_of_deep = Real(0.5); ///< of the radii
+    static constexpr Real share_of_deep = Real(0.5); ///< of `thickness`
 
     Vec<D, Real> surface_displacement{};          ///< displacement of a wall in the substep
     Real deep = std::numeric_limits<Real>::max(); ///< depth from which the row is held as the figures answer
+    Real thickness = 0;                           ///< sum of the radii of two figures
     Real restitution = 0;
     Real approach = 0;                          ///< approach in a substep before the contact acts, metres
     std::uint32_t source = 0;                   ///< index of the candidate, or of the key of a wall
@@ -51,8 +90,8 @@ template <int D, class Real> struct ContactOrigin {
     Real pushed = 0;                            ///< impulse in the substep apart from the multiplier, h newton seconds
     bool is_one_way = false; ///< the collider holds only what it held before, or comes from its front
 
-    /// Arm of friction on two balls whose centres are so far apart.
-    Real arm_at(Real distance) const { return max(share_of_deep * distance / deep, Real(0.1)); }
+    /// Arm of friction on two figures whose lines are so far apart.
+    Real arm_at(Real distance) const { return max(distance / thickness, Real(0.1)); }
 };
 
 /// Row solved as whole figures answer.
@@ -157,7 +196,8 @@ template <class Real> struct ContactParticle {
     bool is_covered = false; ///< by a segment as wide as the particle: nothing touches the particle and no segment
     Real radius = 0;
     Real friction = 0, restitution = 0;
-    std::uint32_t strip = 0; ///< part of the world (contact_parts.h)
+    std::uint32_t strip = 0;                  ///< part of the world (contact_parts.h)
+    std::uint32_t beside = ~std::uint32_t(0); ///< number of the other end of a segment that it is in
 };
 
 /// Link of a figure as a capsule.

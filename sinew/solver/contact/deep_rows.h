@@ -97,7 +97,7 @@ template <int D, class Real> class DeepRows {
     /// Moves a contact by a distance along its normal, as far as the figures can.
     void move(RowT& row, Origin& origin, Real distance) {
         mark(row);
-        std::array<Vec<D, double>, D + 1> along{};
+        std::array<Vec<D, double>, RowT::most> along{};
         for (std::size_t i = 0; i < row.members; ++i) along[i] = cast<double>(row.normal) * double(row.weight[i]);
         const auto pushes = std::span<const Vec<D, double>>(along).first(row.members);
         const auto response = projector().response(state_);

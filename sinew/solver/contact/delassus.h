@@ -79,7 +79,7 @@ template <int D, class Real> class Delassus {
                 is_pushed = true;
                 for (std::size_t k = 0; k < contact.row->members; ++k)
                     if (component_of(contact.row->slot[k]) == component)
-                        give(member = contact.row->slot[k], contact.impulse * contact.row->weight[k]);
+                        give(member = contact.row->slot[k], contact.row->on_member(k, contact.impulse));
             }
             if (!is_pushed || !projector().project_velocities(state_, member)) continue;
             for (const auto& touching : contacts_of(component)) all_.contacts[touching.contact].is_known = false;
@@ -106,7 +106,7 @@ template <int D, class Real> class Delassus {
     }
     bool is_lone(Row slot) const { return component_of(slot) == none && state_.mobility[slot] > Real(0); }
     Vector moved_by(const RowT& row, std::size_t i) const {
-        return state_.displacement_at(row.slot[i]) * row.weight[i];
+        return row.by_member(i, state_.displacement_at(row.slot[i]));
     }
     /// Displacement by the members that have links, or cannot move.
     Vector moved_linked(const RowT& row) const {
@@ -120,7 +120,7 @@ template <int D, class Real> class Delassus {
         state_.set_displacement(slot, clamp_components(moved, rows_.furthest()));
     }
     void push_lone(const RowT& row, const Vector& impulse) const {
-        each_lone(row, [&](std::size_t i) { give(row.slot[i], impulse * row.weight[i]); });
+        each_lone(row, [&](std::size_t i) { give(row.slot[i], row.on_member(i, impulse)); });
     }
     /// Calls visit(component) for each component of rigid links that a row meets.
     template <class Visit> void each_component(const RowT& row, const Visit& visit) const {
@@ -142,7 +142,10 @@ template <int D, class Real> class Delassus {
         one.first = all_.entries.size();
         one.own = {};
         each_lone(*one.row, [&](std::size_t i) {
-            one.own += Matrix::diagonal(square(one.row->weight[i]) * state_.mobility[one.row->slot[i]]);
+            for (std::size_t axis = 0; axis < D; ++axis) {
+                const auto push = one.row->on_member(i, Vector::axis(int(axis))) * state_.mobility[one.row->slot[i]];
+                one.own.column[axis] += one.row->by_member(i, push);
+            }
         });
         std::size_t count = 0;
         each_component(*one.row, [&](std::uint32_t component) { count += contacts_of(component).size(); });
@@ -163,9 +166,9 @@ template <int D, class Real> class Delassus {
             const auto others = contacts_of(component);
             all_.responses.assign(others.size(), Matrix{});
             for (std::size_t axis = 0; axis < D; ++axis) {
-                std::array<Vec<D, double>, D + 1> pushes{};
+                std::array<Vec<D, double>, RowT::most> pushes{};
                 for (std::size_t i = 0; i < row.members; ++i)
-                    pushes[i] = Vec<D, double>::axis(int(axis)) * double(row.weight[i]);
+                    pushes[i] = cast<double>(row.on_member(i, Vector::axis(int(axis))));
                 const auto displacement_at =
                     response.respond(component, row.slots(), std::span(pushes).first(row.members));
                 for (std::size_t k = 0; k < others.size(); ++k) {
@@ -173,7 +176,7 @@ template <int D, class Real> class Delassus {
                     for (std::size_t i = 0; i < other.members; ++i)
                         if (component_of(other.slot[i]) == component)
                             all_.responses[k].column[axis] +=
-                                cast<Real>(displacement_at(other.slot[i]) * double(other.weight[i]));
+                                other.by_member(i, cast<Real>(displacement_at(other.slot[i])));
                 }
             }
             for (std::size_t k = 0; k < others.size(); ++k) visit(others[k].contact, all_.responses[k]);

@@ -173,8 +173,10 @@ template <int D, class Real> class FigureContact {
         return (after - 1)->is_elastic;
     }
     void apply_again(RowT& row) {
-        if (!row.keeps || is_elastic(row.slot[0])) row.multiplier = 0, row.tangent = {};
-        if (row.multiplier > Real(0)) rows_.apply_again(row);
+        if (!row.keeps || is_elastic(row.slot[0]) || !(row.multiplier > Real(0)))
+            row.multiplier = 0, row.tangent = {};
+        else
+            rows_.apply_again(row);
     }
 
     /// Scales the kept multipliers, with the square of the substep; returns the factor.

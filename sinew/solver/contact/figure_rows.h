@@ -9,7 +9,7 @@ namespace sinew::detail {
 /// Rows of contact between figures: nearest points, normals and gaps of the listed pairs.
 template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     using Base = RowWriter<D, Real>;
-    using Base::add, Base::admit, Base::take, Base::position, Base::share_of_deep;
+    using Base::add, Base::admit, Base::position, Base::share_of_deep, Base::take;
     using Base::state_, Base::room_, Base::part_, Base::p_;
     using typename Base::ContactRowT;
     using typename Base::Origin;
@@ -73,8 +73,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         ContactRowT row;
         row.normal = Vector::map([&](int k) { return near.normal[k]; });
         row.gap = near.distance - p.radius - other.radius;
-        take(row, p.slot, Real(1));
-        take(row, other.slot, Real(-1));
+        take(row, p, other);
         return finish(row, near, near.approach, p, other, other.radius);
     }
     bool add(const NearSegment<D, Real>& near, const Particle& p, const ContactSegment& s) {
@@ -88,13 +87,13 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if constexpr (D == 3)
             if (remember_side(row, p, end_a, end_b, near.t, distance, p.radius + radius)) approach = -approach;
         row.gap = distance - p.radius - radius;
-        take(row, p.slot, Real(1));
-        take_segment(row, end_a.slot, end_b.slot, near.t);
+        take(row, p, end_a, end_b, near.t);
         return finish(row, near, approach, p, end_a, radius);
     }
     bool finish(ContactRowT& row, const NearSegment<D, Real>& near, Real approach, const Particle& p,
                 const Particle& other, Real radius) {
-        Origin origin{.deep = share_of_deep * (p.radius + radius)};
+        Origin origin;
+        set_thickness(origin, p.radius + radius);
         return admit(row, origin, near.response, approach, restore(row, origin, p, other));
     }
     void add(std::uint32_t candidate) {
@@ -111,10 +110,60 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if (!acts) forget();
     }
 
-    /// The point t of a segment, as the other side of a row.
-    static void take_segment(ContactRowT& row, Row a, Row b, Real t) {
-        if (t < Real(1)) take(row, a, t - Real(1));
-        if (t > Real(0)) take(row, b, -t);
+    static void set_thickness(Origin& origin, Real thickness, Real deep = share_of_deep) {
+        origin.thickness = thickness, origin.deep = deep * thickness;
+    }
+
+    // --- members -----------------------------------------------------------------------------------------------------
+
+    void take(ContactRowT& row, const Particle& p, const Particle& other) const {
+        take(row, p.slot, Real(1));
+        take(row, other.slot, Real(-1));
+        if (!rubs(p, other)) return;
+        add_lever(row, 0, p, p.radius);
+        add_lever(row, 1, other, other.radius);
+    }
+    /// A particle, and the point t of a segment.
+    void take(ContactRowT& row, const Particle& p, const Particle& a, const Particle& b, Real t) const {
+        const Real radius = min(a.radius, b.radius);
+        const bool has_lever = rubs(p, a) && radius > Real(0) && is_rigid(a, b);
+        take(row, p.slot, Real(1));
+        if (has_lever || t < Real(1)) take(row, a.slot, t - Real(1));
+        if (has_lever || t > Real(0)) take(row, b.slot, -t);
+        if (has_lever) add_lever(row, 1, 2, radius);
+        if (rubs(p, a)) add_lever(row, 0, p, p.radius);
+    }
+    /// The points s and t of two segments.
+    void take(ContactRowT& row, std::array<const Particle*, 4> ends, Real s, Real t) const {
+        const std::array<Real, 4> weight{Real(1) - s, s, t - Real(1), -t};
+        for (std::size_t i = 0; i < 4; ++i) take(row, ends[i]->slot, weight[i]);
+        if (!rubs(*ends[0], *ends[2])) return;
+        if (is_rigid(*ends[0], *ends[1])) add_lever(row, 0, 1, min(ends[0]->radius, ends[1]->radius));
+        if (is_rigid(*ends[2], *ends[3])) add_lever(row, 2, 3, min(ends[2]->radius, ends[3]->radius));
+    }
+    static bool rubs(const Particle& a, const Particle& b) { return min(a.friction, b.friction) > Real(0); }
+    /// True for ends of a link of a rigid body: of a cluster, or of a rod. What has joints gives way to a moment, and
+    /// friction acts on its lines.
+    bool is_rigid(const Particle& a, const Particle& b) const {
+        const auto& links = room_.projector.links();
+        const auto clusters = room_.projector.cluster_of();
+        if (a.strip != b.strip || clusters[a.slot] != clusters[b.slot]) return false;
+        if (clusters[a.slot] != links.none) return true;
+        const auto component = links.component_of[a.slot];
+        return component != links.none && component == links.component_of[b.slot] && links.is_rod(component);
+    }
+    /// Lever of a particle, by a link that it is in. What rolls has a spin of its own.
+    void add_lever(ContactRowT& row, std::size_t member, const Particle& p, Real radius) const {
+        if (radius == Real(0) || !p.in_segment || state_.rolls(p.slot)) return;
+        const auto& beside = room_.particles[p.beside];
+        const auto known = row.slots();
+        if (!is_rigid(p, beside) || std::ranges::find(known, beside.slot) != known.end()) return;
+        take(row, beside.slot, Real(0));
+        add_lever(row, member, row.members - std::size_t(1), radius);
+    }
+    static void add_lever(ContactRowT& row, std::size_t a, std::size_t b, Real radius) {
+        if (radius == Real(0)) return;
+        row.lever[row.levers++] = {.radius = radius, .a = std::uint8_t(a), .b = std::uint8_t(b)};
     }
 
     std::uint32_t number_of(const Particle& p) const { return std::uint32_t(&p - room_.particles.data()); }
@@ -139,9 +188,8 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         row.normal = normal_of(away, Vector::axis(1));
         row.gap = norm(away) - a.radius - b.radius;
         if (row.gap < Real(0) && are_nested(a, b)) return false;
-        origin.deep = share_of_deep * (a.radius + b.radius);
-        take(row, a.slot, Real(1));
-        take(row, b.slot, Real(-1));
+        set_thickness(origin, a.radius + b.radius);
+        take(row, a, b);
         return finish(row, origin, a, b);
     }
 
@@ -170,9 +218,8 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
             if (s.side == 0)
                 remember_side(row, dot(row.normal, side_of(a, b)) >= Real(0), t, distance, p.radius + radius);
         row.gap = distance - p.radius - radius;
-        origin.deep = share_of_deep * (p.radius + radius);
-        take(row, p.slot, Real(1));
-        take_segment(row, end_a.slot, end_b.slot, t);
+        set_thickness(origin, p.radius + radius);
+        take(row, p, end_a, end_b, t);
         return finish(row, origin, p, end_a);
     }
 
@@ -190,11 +237,8 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         Real distance = norm(away);
         remember_side(row, away, b - a, d - c, distance, thickness);
         row.gap = distance - thickness;
-        origin.deep = share_of_crossing * thickness;
-        take(row, from.slot, Real(1) - at.s);
-        take(row, room_.particles[s.number_b].slot, at.s);
-        take(row, other.slot, at.t - Real(1));
-        take(row, room_.particles[t.number_b].slot, -at.t);
+        set_thickness(origin, thickness, share_of_crossing);
+        take(row, {&from, &room_.particles[s.number_b], &other, &room_.particles[t.number_b]}, at.s, at.t);
         return finish(row, origin, from, other);
     }
 

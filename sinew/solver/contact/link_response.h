@@ -120,7 +120,7 @@ template <int D, class Real> class LinkResponse {
                 Lanes::set_link_vector(k, Fields::along, numbers(edge * inverse_or_zero(norm(edge))));
                 Clusters::take_levers(k, row, true, true);
             });
-            Lanes::factorise();
+            Clusters::factorise(true);
         }
 
       private:

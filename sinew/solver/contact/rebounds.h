@@ -49,9 +49,9 @@ template <int D, class Real> class Rebounds {
     void forget_blows() {
         for (auto& part : room_.parts.list)
             for (std::size_t k = 0; k < part.rows.size(); ++k)
-                if (takes_part(part, k) && rebound_after(part.origins[k].approach, Real(1), resting_)) {
+                if (rebound_after(part.origins[k].approach, Real(1), resting_)) {
                     part.origins[k].pushed += part.rows[k].multiplier;
-                    part.rows[k].multiplier = 0;
+                    part.rows[k].multiplier = 0, part.rows[k].tangent = {};
                 }
     }
 

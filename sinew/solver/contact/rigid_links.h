@@ -63,6 +63,9 @@ template <int D, class Real> struct RigidLinks {
     std::vector<char> is_swept; ///< per slot: a distance that is not plain, or part of a mesh, is at the particle
 
     static constexpr std::uint32_t none = ~std::uint32_t(0);
+    bool is_rod(std::uint32_t component) const {
+        return components[component].last_slot - components[component].first_slot == 2;
+    }
 
     /// `is_exact` receives 1 per slot of the sweep held exactly, or by no distance at all. False if all links are those
     /// of the last search: then only the ropes that pull are found anew.

@@ -28,23 +28,40 @@ template <int D, class Real> class ParticleNodes {
     Vector displacement() const {
         auto sum = state_.displacement_at(row_.slot[0]) * row_.weight[0];
         for (std::size_t i = 1; i < row_.slot.size(); ++i) sum += state_.displacement_at(row_.slot[i]) * row_.weight[i];
+        for (std::size_t k = 0; k < row_.levers; ++k) {
+            const auto& lever = row_.lever[k];
+            sum += lever.turned(row_.normal, state_.displacement_at(row_.slot[lever.b]) -
+                                                 state_.displacement_at(row_.slot[lever.a]));
+        }
         return sum;
     }
     /// 1 / response to a unit impulse in a direction, kg.
-    Real mass_along(const Vector&) const { return row_.mass; }
-    void push(const Vector& impulse) const {
-        for (std::size_t i = 0; i < row_.slot.size(); ++i) {
-            const Real mobility = state_.mobility[row_.slot[i]];
-            if (mobility == Real(0)) continue; // another part may read an immovable particle
-            const auto moved = state_.displacement_at(row_.slot[i]) + impulse * (row_.weight[i] * mobility);
-            state_.set_displacement(row_.slot[i], clamp_components(moved, furthest_));
+    Real mass_along(const Vector& direction) const {
+        if (row_.levers == 0) return row_.mass;
+        Real response = 0;
+        for (std::size_t i = 0; i < row_.members; ++i) {
+            const auto push = row_.on_member(i, direction);
+            response += state_.mobility[row_.slot[i]] * dot(push, push);
         }
+        return inverse_or_zero(response);
+    }
+    void push(const Vector& impulse) const {
+        if (row_.levers == 0)
+            for (std::size_t i = 0; i < row_.slot.size(); ++i) push(row_.slot[i], impulse * row_.weight[i]);
+        else
+            for (std::size_t i = 0; i < row_.members; ++i) push(row_.slot[i], row_.on_member(i, impulse));
     }
 
   private:
     SweepState<D, Real>& state_;
     const RowT& row_;
     Real furthest_;
+
+    void push(Row slot, const Vector& impulse) const {
+        const Real mobility = state_.mobility[slot];
+        if (mobility == Real(0)) return; // another part may read an immovable particle
+        state_.set_displacement(slot, clamp_components(state_.displacement_at(slot) + impulse * mobility, furthest_));
+    }
 };
 
 /// Members of a row with the clusters that they belong to. Members of one cluster share a node.
@@ -56,7 +73,8 @@ template <int D, class Real> class ClusterNodes {
 
     ClusterNodes(SweepState<D, Real>& state, const ClusterMotions<D, Real>& motions, const RowT& row, Real furthest)
         : state_(state), motions_(motions), row_(row), furthest_(furthest) {
-        for (std::size_t i = 0; i < std::size_t(row.members); ++i) add(row.slot[i], row.weight[i]);
+        for (std::size_t i = 0; i < std::size_t(row.members); ++i) add(i);
+        for (std::size_t k = 0; k < std::size_t(row.levers); ++k) add(row.lever[k]);
     }
 
     Vector displacement() const {
@@ -64,7 +82,7 @@ template <int D, class Real> class ClusterNodes {
         for (std::size_t i = 0; i < count_; ++i) {
             const auto& node = nodes_[i];
             sum += node.motion ? node.motion->move * node.weight + turning(node.motion->turn, node.arm)
-                               : state_.displacement_at(node.slot) * node.weight;
+                               : row_.by_member(node.member, state_.displacement_at(row_.slot[node.member]));
         }
         return sum;
     }
@@ -73,11 +91,14 @@ template <int D, class Real> class ClusterNodes {
         const Real size = dot(direction, direction);
         for (std::size_t i = 0; i < count_; ++i) {
             const auto& node = nodes_[i];
-            const Real lightness = node.motion ? node.motion->per_mass : state_.mobility[node.slot];
-            response += size * square(node.weight) * lightness;
-            if (!node.motion) continue;
-            const auto lever = moment(node.arm, direction);
-            response += dot(lever, node.motion->turned_by(lever));
+            if (node.motion) {
+                const auto lever = moment(node.arm, direction);
+                response += size * square(node.weight) * node.motion->per_mass;
+                response += dot(lever, node.motion->turned_by(lever));
+            } else {
+                const auto push = row_.on_member(node.member, direction);
+                response += state_.mobility[row_.slot[node.member]] * dot(push, push);
+            }
         }
         return inverse_or_zero(response);
     }
@@ -87,7 +108,7 @@ template <int D, class Real> class ClusterNodes {
             if (node.motion)
                 push(*node.motion, node, impulse);
             else
-                push(node.slot, node.weight, impulse);
+                push_member(node.member, impulse);
         }
         if (motions_.notes_pushes) note_push(impulse);
     }
@@ -95,7 +116,7 @@ template <int D, class Real> class ClusterNodes {
   private:
     struct Node {
         Motion* motion = nullptr;
-        Row slot = 0;
+        std::size_t member = 0; ///< outside of clusters
         Real weight = 0;
         Vector arm{}; ///< from the centre of mass, times the weight
     };
@@ -103,33 +124,46 @@ template <int D, class Real> class ClusterNodes {
     const ClusterMotions<D, Real>& motions_;
     const RowT& row_;
     Real furthest_;
-    std::array<Node, D + 1> nodes_{};
+    std::array<Node, RowT::most> nodes_{};
     std::size_t count_ = 0;
 
-    void add(Row slot, Real weight) {
-        const auto cluster = motions_.of_slot[slot];
-        if (cluster == motions_.none) {
-            nodes_[count_++] = {.slot = slot, .weight = weight};
+    Motion* motion_of(std::size_t member) const {
+        const auto cluster = motions_.of_slot[row_.slot[member]];
+        return cluster == motions_.none ? nullptr : motions_.list + cluster;
+    }
+    void add(std::size_t member) {
+        auto* const motion = motion_of(member);
+        if (!motion) {
+            nodes_[count_++] = {.member = member};
             return;
         }
-        auto* const motion = motions_.list + cluster;
-        const auto arm = (state_.position_at(slot) - motion->centre) * weight;
-        for (std::size_t i = 0; i < count_; ++i)
-            if (nodes_[i].motion == motion) {
-                nodes_[i].weight += weight, nodes_[i].arm += arm;
-                return;
-            }
-        nodes_[count_++] = {.motion = motion, .slot = slot, .weight = weight, .arm = arm};
+        const Real weight = row_.weight[member];
+        const auto arm = (state_.position_at(row_.slot[member]) - motion->centre) * weight;
+        if (auto* const node = find(motion))
+            node->weight += weight, node->arm += arm;
+        else
+            nodes_[count_++] = {.motion = motion, .weight = weight, .arm = arm};
+    }
+    /// Both ends of a link with a lever are of one cluster, or of none.
+    void add(const ContactLever<D, Real>& lever) {
+        if (auto* const node = find(motion_of(lever.a))) node->arm -= row_.normal * (lever.radius * row_.arm);
+    }
+    Node* find(const Motion* motion) {
+        if (!motion) return nullptr;
+        const auto end = nodes_.begin() + std::ptrdiff_t(count_);
+        const auto found = std::find_if(nodes_.begin(), end, [&](const Node& node) { return node.motion == motion; });
+        return found == end ? nullptr : &*found;
     }
     void note_push(const Vector& impulse) const {
         for (std::size_t i = 0; i < std::size_t(row_.members); ++i)
-            if (const Row slot = row_.slot[i]; motions_.of_slot[slot] != motions_.none)
-                push(slot, row_.weight[i], impulse);
+            if (motion_of(i)) push_member(i, impulse);
     }
-    void push(Row slot, Real weight, const Vector& impulse) const {
+    void push_member(std::size_t member, const Vector& impulse) const {
+        const Row slot = row_.slot[member];
         const Real mobility = state_.mobility[slot];
         if (mobility == Real(0)) return; // another part may read an immovable particle
-        state_.set_displacement(slot, moved(state_.displacement_at(slot), impulse * (weight * mobility)));
+        const auto by = row_.on_member(member, impulse) * mobility;
+        state_.set_displacement(slot, moved(state_.displacement_at(slot), by));
     }
     void push(Motion& motion, const Node& node, const Vector& impulse) const {
         motion.move = moved(motion.move, impulse * (node.weight * motion.per_mass));

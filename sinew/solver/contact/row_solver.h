@@ -111,21 +111,29 @@ template <int D, class Real> class RowSolver {
         constexpr auto slight = Real(1e-3);
         const auto line = centre_line(row);
         const Real along = dot(line, row.normal);
-        return along > Real(0) && dot(line, line) - square(along) <= square(slight * along);
+        return along != Real(0) && dot(line, line) - square(along) <= square(slight * along);
+    }
+    /// Levers at the present places.
+    void take_levers(RowT& row) const {
+        for (std::size_t k = 0; k < std::size_t(row.levers); ++k) {
+            auto& lever = row.lever[k];
+            const auto edge = state_.position_at(row.slot[lever.b]) - state_.position_at(row.slot[lever.a]);
+            lever.along = edge * -(lever.radius * row.arm * inverse_or_zero(dot(edge, edge)));
+        }
     }
     /// Turns the normals between figures with the lines of centres, after the move: an impulse along such a line has no
     /// moment, which one along the normal from before the move has.
     void follow_centres(ContactPart<D, Real>& part) const {
-        constexpr auto most = Real(0.7); // cosine
         for (std::size_t i = 0; i < part.first_wall; ++i) {
             auto& row = part.rows[i];
             if (!row.is_central) continue;
             const auto line = centre_line(row);
-            const Real distance = norm(line);
-            const auto normal = line * inverse_or_zero(distance);
-            if (!(dot(normal, row.normal) > most)) continue;
-            if (row.arm > Real(0) && row.members == 2 && is_ball(row, 1)) row.arm = part.origins[i].arm_at(distance);
+            const Real distance = norm(line), along = dot(line, row.normal);
+            const auto normal = line * (along < Real(0) ? -inverse_or_zero(distance) : inverse_or_zero(distance));
+            if (normal == Vector{}) continue;
             row.normal = normal;
+            if (row.arm > Real(0)) row.arm = part.origins[i].arm_at(distance);
+            take_levers(row);
             row.tangent -= normal * dot(normal, row.tangent);
         }
     }

@@ -36,14 +36,14 @@ template <int D, class Real> class RowWriter {
         constexpr Real much = 1000;
         return !room_.projector.is_in_cluster(slot) && room_.projector.heaviest(slot) * state_.mobility[slot] > much;
     }
-    /// Two balls are turned at arms that meet, however far apart they are when the blow is foreseen: what one receives
-    /// of angular momentum the other gives.
+    /// Two figures are turned at arms that meet, however far apart they are when the blow is foreseen: what one
+    /// receives of angular momentum the other gives.
     Real arm_of(const ContactRowT& row, const Origin& origin) const {
-        std::size_t balls = 0, rolling = 0;
+        bool any = row.levers > 0;
         for (std::size_t i = 0; i < row.members; ++i)
-            if (RowSolver<D, Real>::is_ball(row, i)) ++balls, rolling += state_.rolls(row.slot[i]);
-        if (rolling == 0) return 0;
-        return balls == 2 ? origin.arm_at(norm(rows_.centre_line(row))) : Real(1);
+            any = any || (RowSolver<D, Real>::is_ball(row, i) && state_.rolls(row.slot[i]));
+        if (!any) return 0;
+        return origin.thickness > Real(0) ? origin.arm_at(norm(rows_.centre_line(row))) : Real(1);
     }
     static void take(ContactRowT& row, Row slot, Real weight) {
         row.slot[row.members] = slot;
@@ -75,13 +75,15 @@ template <int D, class Real> class RowWriter {
         row.is_held = row.is_held && row.keeps && part_.held.size() < most_held;
         for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
         row.arm = arm_of(row, origin);
+        rows_.take_levers(row);
         row.is_central = row.keeps && row.members > 1 && rows_.is_central(row);
         row.mass = Real(1) / response;
         row.tangent -= row.normal * dot(row.normal, row.tangent);
         part_.rows.push_back(row);
         part_.origins.push_back(origin);
         if (row.is_held) part_.held.push_back({.row = std::uint32_t(part_.rows.size() - 1), .component = component});
-        const Real ahead = D == 3 && row.members == 4 ? Real(2) * absolute(approach) : Real(0); // links that cross
+        const bool is_crossing = D == 3 && row.members == 4 && !RowSolver<D, Real>::is_ball(row, 0);
+        const Real ahead = is_crossing ? Real(2) * absolute(approach) : Real(0);
         if (row.keeps && row.gap - ahead < Real(-0.5) * origin.deep)
             part_.deep.push_back(std::uint32_t(part_.rows.size() - 1));
         return true;

@@ -25,30 +25,43 @@ template <class V> [[gnu::always_inline]] inline Arrow<3, V> turning(const Spin<
 /// Inertia about the centre of mass.
 template <int D, class V> class Inertia {
   public:
-    void add(const Arrow<D, V>& arm, const V& mass) {
-        const V size = dot(arm, arm) * mass;
+    void add(const Arrow<D, V>& arm, const V& mass) { add(arm, arm, mass); }
+    /// With arms before and after a motion: of moments of displacements at the arms before, for turns at those after.
+    void add(const Arrow<D, V>& before, const Arrow<D, V>& after, const V& mass) {
+        const V size = dot(before, after) * mass;
         size_ = size_ + size;
         if constexpr (D == 3) {
-            const auto across = outer(arm, arm) * mass;
+            const auto across = outer(after, before) * mass;
             for (int k = 0; k < 9; ++k) tensor_.at[k] = tensor_.at[k] - across.at[k];
             tensor_.add_to_diagonal(size);
         }
     }
+    /// Second moment of mass about the centre.
+    const V& size() const { return size_; }
     /// Angular velocity of an angular momentum; zero if all is in one line (3D), or in one point.
-    Spin<D, V> rate_of(const Spin<D, V>& spin) const {
-        V determinant = size_, min{};
-        Spin<D, V> turned = spin;
-        if constexpr (D == 3) {
-            const auto adjoint = adjugate(tensor_, determinant);
-            turned = adjoint * spin;
-            min = size_ * size_ * size_ * spread<V>(1e-9);
-        }
-        return turned * (determinant > min ? spread<V>(1.0) / determinant : V{});
+    Spin<D, V> rate_of(const Spin<D, V>& spin) const { return rate_of(spin, V{}); }
+    /// The same; if all is in one line, of a turn across it.
+    Spin<D, V> rate_across(const Spin<D, V>& spin) const {
+        return rate_of(spin, size_ > V{} ? spread<V>(1.0) / size_ : V{});
     }
 
   private:
     V size_{};
     Square<D, V> tensor_{};
+
+    /// `in_line`: rate for a unit of angular momentum if all is in one line.
+    Spin<D, V> rate_of(const Spin<D, V>& spin, const V& in_line) const {
+        if constexpr (D == 2) return spin * (size_ > V{} ? spread<V>(1.0) / size_ : V{});
+        if constexpr (D == 3) {
+            V determinant;
+            const auto adjoint = adjugate(tensor_, determinant);
+            const auto turned = adjoint * spin, across = spin * in_line;
+            const V min = size_ * size_ * size_ * spread<V>(1e-9), per = spread<V>(1.0) / determinant;
+            Spin<D, V> rate;
+            for (int k = 0; k < D; ++k) rate.at[k] = determinant > min ? turned.at[k] * per : across.at[k];
+            return rate;
+        }
+    }
 };
 
 } // namespace lane

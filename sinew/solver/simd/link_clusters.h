@@ -20,7 +20,7 @@ template <int D, class V> class LinkClusters : protected LinkLanes<D, V> {
     using typename Lanes::Spin, typename Lanes::Vector;
     using Matrix = lane::Square<D, V>;
     using Inertia = lane::Square<Lanes::spins, V>;
-    using Mask = decltype(V{} < V{});
+    using typename Lanes::Mask;
 
   protected:
     using Lanes::cluster, Lanes::set_cluster, Lanes::cluster_vector, Lanes::set_cluster_vector;
@@ -100,7 +100,15 @@ template <int D, class V> class LinkClusters : protected LinkLanes<D, V> {
             set_matrix(c, Fields::per_inertia, inverse(own));
         });
     }
-    /// Lanes in which a cluster has turned by more than an angle since `take_rotations`.
+    /// Factors at the present directions and poses.
+    void factorise(const Mask& mask) const {
+        for (std::uint32_t k = 0; k < pack_.links; ++k)
+            Lanes::set_link_vector(k, Fields::factored,
+                                   blend(mask, link_vector(k, Fields::along), link_vector(k, Fields::factored)));
+        take_rotations(mask);
+        Lanes::factorise(mask);
+    }
+    /// Lanes in which a cluster has turned by more than an angle since its factorisation.
     Mask have_turned(const V& angle) const {
         V most{};
         each_cluster([&](std::uint32_t c) {

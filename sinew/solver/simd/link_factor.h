@@ -18,6 +18,7 @@ template <int D, class V> class LinkLanes {
     static constexpr int spins = int(Fields::spins);
     using Vector = lane::Arrow<D, V>;
     using Spin = lane::Arrow<spins, V>;
+    using Mask = decltype(V{} < V{});
 
     LinkLanes(const LinkPack<D>& pack, std::size_t first_lane) : pack_(pack), lane_(first_lane) {}
 
@@ -58,9 +59,10 @@ template <int D, class V> class LinkLanes {
         return x >= number(std::numeric_limits<double>::min()) ? number(1) / x : V{};
     }
 
-    [[gnu::flatten, gnu::noinline]] void factorise() const {
+    /// Factors of the lanes of a mask; others keep theirs.
+    [[gnu::flatten, gnu::noinline]] void factorise(const Mask& mask) const {
         const LinkLanes here = *this;
-        for (std::uint32_t k = 0; k < here.pack_.links; ++k) here.factorise_row(k);
+        for (std::uint32_t k = 0; k < here.pack_.links; ++k) here.factorise_row(k, mask);
     }
 
     /// Replaces the right side by the solution.
@@ -101,6 +103,9 @@ template <int D, class V> class LinkLanes {
     }
     void put(double* to, const V& number) const {
         lane::store(to + lane_, number);
+    }
+    void put(const Mask& mask, double* to, const V& number) const {
+        put(to, mask ? number : get(to));
     }
 
   protected:
@@ -156,7 +161,7 @@ template <int D, class V> class LinkLanes {
     /// The diagonal is raised by a little: redundant links share their load, and the links of a straight rope held at
     /// both ends, singular across it, do not kick. The kick falls with the root of the softness; long or heavily loaded
     /// chains converge more slowly. A plane, whose rows keep their sides, gets by with less.
-    void factorise_row(std::uint32_t k) const {
+    void factorise_row(std::uint32_t k, const Mask& mask) const {
         constexpr double softness = D == 3 ? 1e-6 : 1e-7;
         const auto& row = pack_.rows[k];
         V pivot = weight_of(k, row) * number(1 + softness);
@@ -166,15 +171,16 @@ template <int D, class V> class LinkLanes {
             for (auto j = std::max(row.first, other.first); j < m; ++j)
                 sum = sum -
                       get(pack_.entry(row.start + (j - row.first))) * get(pack_.entry(other.start + (j - other.first)));
-            put(pack_.entry(row.start + (m - row.first)), sum); // times the pivot, for now
+            put(mask, pack_.entry(row.start + (m - row.first)), sum); // times the pivot, for now
         }
         for (auto m = row.first; m < k; ++m) {
             double* const entry = pack_.entry(row.start + (m - row.first));
             const V scaled = get(entry) * link(m, Fields::pivot);
             pivot = pivot - get(entry) * scaled;
-            put(entry, scaled);
+            put(mask, entry, scaled);
         }
-        set_link(k, Fields::pivot, link(k, Fields::active) > V{} ? inverse_or_zero(lane::max(pivot, V{})) : V{});
+        put(mask, pack_.of_link(k, Fields::pivot),
+            link(k, Fields::active) > V{} ? inverse_or_zero(lane::max(pivot, V{})) : V{});
     }
 };
 

@@ -76,8 +76,9 @@ template <int D> struct LinkFields {
     static constexpr std::size_t inertia = taken + D * D, per_inertia = inertia + inertias;
     static constexpr std::size_t of_cluster = per_inertia + inertias;
     // Numbers of a link.
-    static constexpr std::size_t edge = 0, along = D; ///< from a to b; along: at the place of the factorisation
-    static constexpr std::size_t length = 2 * D, per_length = length + 1;
+    static constexpr std::size_t edge = 0, along = D; ///< from a to b; along: direction in which it pulls
+    static constexpr std::size_t factored = 2 * D;    ///< `along` at the place of the factorisation
+    static constexpr std::size_t length = 3 * D, per_length = length + 1;
     static constexpr std::size_t weight_a = length + 2,
                                  weight_b = length + 3; ///< inverse masses of the ends or clusters
     static constexpr std::size_t tension = length + 4; ///< multiplier of this substep, h newton seconds; positive pulls

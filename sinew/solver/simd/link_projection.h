@@ -1,13 +1,14 @@
 #pragma once
 
-#include "sinew/solver/simd/link_exchange.h"
+#include "sinew/solver/simd/link_energy.h"
 
 /// Kernels of rigid links (contact/link_projector.h).
 namespace sinew {
 namespace {
 
 /// Projections of the components in the lanes of V. A component that is not in the mask of a function stays as it is.
-template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Real, V> {
+template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real, V> {
+    using Energy = LinkEnergy<D, Real, V>;
     using Exchange = LinkExchange<D, Real, V>;
     using Solution = LinkSolution<D, V>;
     using Fields = LinkFields<D>;
@@ -15,7 +16,7 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
     using Exchange::columns_, Exchange::gather, Exchange::load, Exchange::store;
     using Solution::activate, Solution::apply, Solution::apply_within, Solution::release;
     using Solution::between, Solution::blend, Solution::displacement, Solution::each_link, Solution::norm;
-    using Solution::energy_in, Solution::frame, Solution::slight, Solution::slow_down, Solution::width;
+    using Solution::energy_in, Solution::frame, Solution::slight, Solution::width;
     using Solution::number, Solution::inverse_or_zero, Solution::link, Solution::set_link, Solution::particle;
     using Solution::pack_, Solution::set_particle;
     using Solution::particle_vector, Solution::set_particle_vector, Solution::link_vector, Solution::set_link_vector;
@@ -23,7 +24,7 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
 
   public:
     LinkProjection(const LinkColumns<D, Real>& columns, const LinkPack<D>& pack, std::size_t first_lane, int only)
-        : Exchange(columns, pack, first_lane, only), live_(Exchange::lanes_in_use()) {}
+        : Energy(columns, pack, first_lane, only), live_(Exchange::lanes_in_use()) {}
 
     void factorise() {
         for (std::uint32_t i = 0; i < pack_.particles; ++i) {
@@ -34,7 +35,7 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
         Clusters::find_centres();
         measure();
         take_directions(live_);
-        Solution::factorise();
+        Clusters::factorise(live_);
     }
     void velocities() {
         load();
@@ -68,10 +69,8 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
     }
     void restore() {
         const Mask changed = lane::both(live_, measure());
-        if (lane::any(changed)) {
-            take_directions(changed);
-            Solution::factorise();
-        }
+        take_directions(live_);
+        if (lane::any(changed)) Clusters::factorise(changed);
         load();
         project_velocities(live_);
         restore_energy();
@@ -81,8 +80,8 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
   private:
     static constexpr int max_rounds = 8;
     static constexpr double taut = 1 - 1e-4; ///< share of its length at which a rope may begin to pull
-    /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: the
-    /// velocities left along them are that share of those across.
+    /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: a
+    /// solution leaves that share of their rates.
     static constexpr double slightly_turned = 1e-3;
 
     Mask live_;
@@ -107,7 +106,7 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
             const Vector edge = at[1] - at[0];
             set_link_vector(k, Fields::edge, edge);
             const V length = norm(edge), off_by = length * number(slightly_turned);
-            const Vector off = edge - link_vector(k, Fields::along) * length;
+            const Vector off = edge - link_vector(k, Fields::factored) * length;
             changed = off_by * off_by < dot(off, off) ? number(1) : changed;
             if (row.is_rope == 0) return;
             const V active = link(k, Fields::active);
@@ -139,7 +138,6 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
             set_link(k, Fields::weight_b, weight_of(row.b, row.cluster_b));
             Clusters::take_levers(k, row, mask);
         });
-        Clusters::take_rotations(mask);
     }
     void turn_gradients(const Mask& mask) const {
         each_link([&](std::uint32_t k, const LinkRow& row) {
@@ -148,7 +146,7 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
                             blend(mask, edge * inverse_or_zero(norm(edge)), link_vector(k, Fields::along)));
             Clusters::take_levers(k, row, mask, true);
         });
-        Solution::factorise();
+        Clusters::factorise(mask);
     }
 
     // --- projections -------------------------------------------------------------------------------------------------
@@ -193,7 +191,8 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
         for (std::uint32_t i = 0; i < pack_.particles; ++i)
             set_particle_vector(i, Fields::before, blend(live_, displacement(i), particle_vector(i, Fields::before)));
         Clusters::pose(live_);
-        project_lengths();
+        const Mask turned = project_lengths();
+        if (lane::any(turned)) Energy::turn_back(turned);
         store();
     }
     V excess(std::uint32_t k, const LinkRow& row) const {
@@ -201,13 +200,16 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
     }
     /// One step along the gradients at the start leaves an error of second order, the next of third. Where a few do not
     /// suffice, the gradients are those at the end: they always correct. Steps far beyond the linear model are cut
-    /// short.
-    [[gnu::flatten, gnu::noinline]] void project_lengths() const {
+    /// short. Returns the lanes of such gradients, which do not keep the angular momentum.
+    [[gnu::flatten, gnu::noinline]] Mask project_lengths() const {
         constexpr double exact = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-9;
         constexpr int usual_rounds = 4, all_rounds = 24;
-        Mask live = live_;
+        Mask live = live_, turned = lane::without(live, live);
         for (int i = 0; i < all_rounds; ++i) {
-            if (i >= usual_rounds) turn_gradients(live);
+            if (i >= usual_rounds) {
+                turned = Solution::either(turned, live);
+                turn_gradients(live);
+            }
             activate(live, [&](std::uint32_t k, const LinkRow& row) {
                 return excess(k, row) > link(k, Fields::length) * number(exact);
             });
@@ -218,33 +220,35 @@ template <int D, class Real, class V> class LinkProjection : LinkExchange<D, Rea
                 worst = lane::max(worst, lane::size_of(right) * link(k, Fields::per_length));
             });
             live = lane::both(live, worst > number(exact));
-            if (!lane::any(live)) return;
+            if (!lane::any(live)) break;
             Solution::solve();
             const Mask released = i + 1 < all_rounds ? release(live) : lane::without(live, live);
             const Mask applied = lane::without(live, released);
             apply_within(applied);
             Clusters::pose(applied);
         }
+        return turned;
     }
 
     // --- energy ------------------------------------------------------------------------------------------------------
 
-    void restore_energy() const {
+    [[gnu::flatten, gnu::noinline]] void restore_energy() const {
         constexpr double much = 1.001;
         const Vector drift = frame();
-        const V now = energy_in(drift), due = Solution::energy();
+        const V due = Solution::energy(), now = energy_in(drift);
         const Mask gains = lane::both(live_, now > due);
         if (!lane::any(gains)) return;
+        const typename Energy::Body body(*this);
         const Mask gains_much = lane::both(gains, now > due * number(much));
-        const V share = lane::without(gains, gains_much) ? lane::root(V(due / now)) : number(1);
-        for (std::size_t i = 0; i < pack_.particles; ++i) {
-            const Vector moved = displacement(i);
-            const Vector slower = blend(gains, drift + (moved - drift) * share, moved);
-            set_particle_vector(i, Fields::displacement, blend(gains_much, particle_vector(i, Fields::before), slower));
+        if (lane::any(gains_much)) {
+            const auto spin = body.spin();
+            for (std::size_t i = 0; i < pack_.particles; ++i)
+                set_particle_vector(i, Fields::displacement,
+                                    blend(gains_much, particle_vector(i, Fields::before), displacement(i)));
+            project_velocities(gains_much);
+            Energy::set_momenta(lane::both(gains_much, now > body.rounding()), body, drift, spin);
         }
-        if (!lane::any(gains_much)) return;
-        project_velocities(gains_much);
-        if constexpr (D == 3) slow_down(lane::both(gains_much, energy_in(frame()) > due * number(much)), due);
+        Energy::slow_down(lane::both(gains, energy_in(frame()) > due), body, due);
     }
 };
 

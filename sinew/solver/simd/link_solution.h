@@ -107,9 +107,8 @@ template <int D, class V> class LinkSolution : protected LinkClusters<D, V> {
         });
         return factorise_where(any > V{});
     }
-    /// Lanes in which nothing has changed receive the same factor again.
     Mask factorise_where(const Mask& mask) const {
-        if (lane::any(mask)) Lanes::factorise();
+        if (lane::any(mask)) Clusters::factorise(mask);
         return mask;
     }
 
@@ -146,16 +145,6 @@ template <int D, class V> class LinkSolution : protected LinkClusters<D, V> {
             sum = sum + particle(i, Fields::mass) * dot(own, own);
         }
         return sum;
-    }
-    /// Slows motion down to the energy due where rows held between corrections of lengths (`again`) have gained some.
-    void slow_down(const Mask& gains, const V& due) const {
-        if (!lane::any(gains)) return;
-        const Vector drift = frame();
-        const V share = lane::root(V(due * inverse_or_zero(energy_in(drift))));
-        for (std::size_t i = 0; i < pack_.particles; ++i) {
-            const Vector moved = displacement(i);
-            set_particle_vector(i, Fields::displacement, blend(gains, drift + (moved - drift) * share, moved));
-        }
     }
 };
 
