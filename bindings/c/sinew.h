@@ -242,6 +242,7 @@ typedef uint64_t sinew_particle;
 typedef uint64_t sinew_constraint;
 typedef uint64_t sinew_pin;
 typedef uint64_t sinew_collider;
+typedef uint64_t sinew_force;
 #define SINEW_NO_ID UINT64_MAX
 
 SINEW_API sinew_status sinew_world_particle_at(sinew_world world, uint32_t row, sinew_particle* particle);
@@ -673,6 +674,7 @@ typedef struct sinew_world_spec {
  * sinew_world_scene_text() only the settings.
  */
 SINEW_PROGRAM_API sinew_status sinew_world_create(const sinew_world_spec* spec, sinew_world* world);
+/* The world's gravity, force 0; other forces stay. */
 SINEW_PROGRAM_API sinew_status sinew_world_set_gravity(sinew_world world, sinew_point gravity);
 
 /* Numbers of the kinds of constraints; an angle and a distance have the same in 2D and 3D. */
@@ -742,6 +744,44 @@ typedef struct sinew_collider_spec {
 SINEW_API sinew_status sinew_world_add_collider(sinew_world world, const sinew_collider_spec* spec,
                                                 sinew_collider* collider);
 SINEW_API sinew_status sinew_world_remove_collider(sinew_world world, sinew_collider collider);
+
+typedef enum sinew_force_kind SINEW_INT {
+    SINEW_GRAVITY = 0,    /* an additional constant acceleration */
+    SINEW_DRAG = 1,       /* of still air or water: against the velocity */
+    SINEW_WIND = 2,       /* moving air, in gusts */
+    SINEW_ATTRACTOR = 3,  /* a point that pulls, or pushes away: strength / distance^2 */
+    SINEW_RANDOM_PUSH = 4 /* a force on one random particle each step, of whole numbers from `low` to `high` */
+} sinew_force_kind;
+/* A force field; fields of other kinds are not read. Quantities are in the scene's units, ranges in metres, kilograms
+ * and seconds, as in scenes. */
+typedef struct sinew_force_spec {
+    uint32_t struct_size;
+    uint32_t kind;            /* a sinew_force_kind */
+    sinew_point acceleration; /* gravity: length / time^2 */
+    sinew_point velocity;     /* wind: of the air */
+    sinew_point gust;         /* wind: largest change of the velocity in a gust */
+    sinew_point center;       /* attractor: position */
+    sinew_point low, high;    /* random push: force */
+    double strength;          /* drag, wind: force / velocity, 0 to 1e9, on each particle (of cloth on each 0.01 m^2);
+                                 attractor: acceleration times length^2, -1e12 to 1e12, negative to repel */
+    double density;           /* wind: mass / length^3, 0 to 1e6; above 0 it presses on areas, lines and balls, too */
+    double drag_coefficient;  /* wind with a density: 0 to 1000; 0: 1.2, of a plate */
+    double gust_period;       /* wind: time from gust to gust, 0.001 to 1e6 s; 0: 1 s */
+    double gust_size;         /* wind: length of a gust, 0 to 1e6 m; 0: the same gust everywhere */
+    double softness;          /* attractor: distance below which it is like a spring, 1e-6 to 1e6 m; 0: 0.1 m */
+    uint64_t seed;            /* wind: of the gusts; random push */
+    const char* figure;       /* attractor: the only figure pulled, with which it goes; null: all */
+} sinew_force_spec;
+/* SINEW_BAD_ARGUMENT, with the field, for a number out of its range; SINEW_NOT_FOUND for an unknown figure. */
+SINEW_API sinew_status sinew_world_add_force(sinew_world world, const sinew_force_spec* spec, sinew_force* force);
+/* New values of a force, also of one of the scene; the world's gravity stays one of SINEW_GRAVITY. */
+SINEW_API sinew_status sinew_world_set_force(sinew_world world, sinew_force force, const sinew_force_spec* spec);
+/* Values of a force; fields of other kinds are 0. */
+SINEW_API sinew_status sinew_world_get_force(sinew_world world, sinew_force force, sinew_force_spec* spec);
+/* SINEW_BAD_ARGUMENT for the world's gravity, which sinew_world_set_gravity() sets to zero. */
+SINEW_API sinew_status sinew_world_remove_force(sinew_world world, sinew_force force);
+/* Forces in order: at 0 the world's gravity, then those of the scene, then others; SINEW_NOT_FOUND after the last. */
+SINEW_API sinew_status sinew_world_force_at(sinew_world world, uint32_t index, sinew_force* force);
 
 /* --- user data --------------------------------------------------------------------------------------------------- */
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "sinew/assert/assert.h"
-#include "sinew/math/random.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/colliders.h"
+#include "sinew/scene/forces.h"
 #include "sinew/scene/scene.h"
 #include "sinew/scene/types.h"
 #include "sinew/world/colliders.h"
@@ -24,17 +24,6 @@ inline Integrator integrator_called(std::string_view name) {
     const auto found = std::find(integrator_names.begin(), integrator_names.end(), name);
     SINEW_ASSERT(found != integrator_names.end(), "the reader accepts names of integrators only");
     return Integrator(found - integrator_names.begin());
-}
-
-/// Wind of a force or an event: the same everywhere and always.
-template <int D, class Real, class Section> Wind<D, Real> wind_of(const Section& section, const Units& units) {
-    constexpr double usual = 0.1; // kg/s
-    const double strength = section.density > 0 ? 0 : usual * units.scale(unit::drag);
-    return {.velocity = section.velocity.template as<D, Real>(),
-            .strength = Real(section.strength.value_or(strength)),
-            .density = Real(section.density),
-            .drag_coefficient = Real(section.drag_coefficient),
-            .metre = Real(units.per_metre)};
 }
 
 /// Builds all of a world but the figures: rules, force fields, bounds and colliders.
@@ -90,23 +79,10 @@ template <int D, class Real> class Surroundings {
     }
 
     void forces() {
-        world_.forces.push_back(
-            Gravity<D, Real>{vector(scene_.world.gravity)}); // the first field is the world's gravity
+        world_.forces.push_back(Gravity<D, Real>{vector(scene_.world.gravity)}, 0); // the world's gravity
         for (const auto& section : scene_.world.forces)
-            detail::visit_held(section.force, [&](const auto& force) { world_.forces.push_back(field(force)); });
-    }
-
-    Gravity<D, Real> field(const GravityForce& force) const { return {vector(force.acceleration)}; }
-    Drag<D, Real> field(const DragForce& force) const { return {Real(force.strength)}; }
-    Wind<D, Real> field(const WindForce& force) const {
-        auto wind = wind_of<D, Real>(force, scene_.measures());
-        wind.gust = vector(force.gust);
-        wind.gust_period = Real(force.gust_period), wind.gust_size = Real(force.gust_size);
-        wind.seed = seed(force.seed);
-        return wind;
-    }
-    Attractor<D, Real> field(const AttractorForce& force) const {
-        return {vector(force.center), Real(force.strength), Real(force.softness), figure_called(force.figure)};
+            world_.forces.push_back(force_of<D, Real>(scene_, section, figure_called(pulled_by(section))),
+                                    std::uint32_t(world_.forces.size()));
     }
     /// Index of a figure by name, known before the figure is built, because figures are built in scene order; no_figure
     /// for an empty name.
@@ -114,12 +90,6 @@ template <int D, class Real> class Surroundings {
         for (std::size_t i = 0; i < scene_.figures.size(); ++i)
             if (!name.empty() && name_of(scene_.figures[i]) == name) return FigureIndex(i);
         return no_figure;
-    }
-    RandomPush<D, Real> field(const RandomPushForce& force) const {
-        return {vector(force.low), vector(force.high), seed(force.seed)};
-    }
-    std::uint64_t seed(std::int64_t own) const {
-        return std::uint64_t(own) ^ random::mix(std::uint64_t(scene_.solver.seed));
     }
 
     void bounds() {

@@ -19,7 +19,7 @@ template <class WorldT> class Described {
     explicit Described(Merge<WorldT>& merged) : all_(merged) {}
 
     void merge_all() {
-        merge_surroundings();
+        merge_lists();
         merge_figures();
         int kind = 0;
         for_each_table(all_.old, [&]<class Table>(const Table&) { merge_joints<Table>(kind++); });
@@ -35,12 +35,7 @@ template <class WorldT> class Described {
     std::vector<PinId> gone_pins_{};
     std::vector<ColliderId> gone_colliders_{};
 
-    static const Gravity<D, Real>* gravity_in(const WorldT& world) {
-        return world.forces.empty() ? nullptr : std::get_if<Gravity<D, Real>>(&world.forces.front());
-    }
-    void merge_surroundings() {
-        const auto *before = gravity_in(all_.base), *old = gravity_in(all_.old), *fresh = gravity_in(all_.fresh);
-        if (before && old && fresh && fresh->acceleration == before->acceleration) all_.fresh.forces.front() = *old;
+    void merge_lists() {
         auto& contacts = all_.fresh.contacts;
         contacts.lists_planes = contacts.lists_planes || all_.old.contacts.lists_planes;
         contacts.lists_figures = contacts.lists_figures || all_.old.contacts.lists_figures;

@@ -8,13 +8,9 @@
 #include "sinew/topology/cut.h"
 #include "sinew/world/colliders.h"
 #include "sinew/world/edit.h"
+#include "sinew/world/environment.h"
 
 namespace sinew {
-
-template <class WorldT> Gravity<WorldT::dimension, typename WorldT::Real>* gravity_of(WorldT& world) {
-    return world.forces.empty() ? nullptr
-                                : std::get_if<Gravity<WorldT::dimension, typename WorldT::Real>>(&world.forces.front());
-}
 
 /// Velocity change of the `number`-th particle of a kick's target: uniform in [-by, by) on each axis, drawn from the
 /// scene's seed and the count of earlier occurrences.

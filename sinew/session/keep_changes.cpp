@@ -2,6 +2,7 @@
 
 #include "sinew/session/changes_added.h"
 #include "sinew/session/changes_described.h"
+#include "sinew/session/changes_of_forces.h"
 #include "sinew/world/mobility.h"
 
 #include <algorithm>
@@ -132,11 +133,13 @@ template <class WorldT> std::string lost_of(const Replacement& worlds, const Wor
         std::ranges::any_of(old.figures,
                             [&](const Figure& figure) { return figure.in_use() && !is_described(figure); }) ||
         std::ranges::find(old.particles.figure, no_figure) != old.particles.figure.end() ||
-        old.colliders.size() > began.colliders.size() || loose_constraints(old) > loose_constraints(began) ||
+        old.colliders.size() > began.colliders.size() || old.forces.size() > began.forces.size() ||
+        loose_constraints(old) > loose_constraints(began) ||
         old.pins.size() > began.pins.size() + worlds.not_kept.size();
-    return has_added ? "figures, particles, constraints, pins and colliders that were added cannot go on in another "
-                       "dimension or precision"
-                     : "";
+    return has_added
+               ? "figures, particles, constraints, pins, colliders and forces that were added cannot go on in another "
+                 "dimension or precision"
+               : "";
 }
 
 template <class IdT> void rename_in(const std::vector<std::array<IdT, 2>>& pairs, IdT& id) {
@@ -163,6 +166,7 @@ std::string keep_changes(const Replacement& worlds, Renamed& renamed) {
             Described<WorldT>(merge).merge_all();
             Added<WorldT> added(merge);
             added.add_all();
+            ForceMerge<WorldT>(merge).merge_all();
             Ids<WorldT>(merge).adopt_all(renamed);
             added.copy_figures();
             carry_contacts(old, *fresh);

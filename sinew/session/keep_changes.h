@@ -29,10 +29,9 @@ struct Renamed {
 };
 
 /// Brings into the new world all changes by calls and events of the old one since its scene was built: figures,
-/// particles, constraints, pins and colliders that were added, those that were removed, and numbers that were set, as
-/// long as the edit leaves their descriptions alone. Ids of the old world hold in the new one, but for parts of figures
-/// that begin anew. Returns the reason why
-/// something cannot go on; empty if all does.
+/// particles, constraints, pins, colliders and forces that were added, those that were removed, and numbers that were
+/// set, as long as the edit leaves their descriptions alone. Ids of the old world hold in the new one, but for parts of
+/// figures that begin anew. Returns the reason why something cannot go on; empty if all does.
 std::string keep_changes(const Replacement& worlds, Renamed& renamed);
 
 } // namespace sinew

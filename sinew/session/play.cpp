@@ -104,12 +104,10 @@ void Session::keep_going(const AnyWorld& old) {
     std::visit(
         [&]<class WorldT>(WorldT& world) {
             const auto* before = std::get_if<WorldT>(&old);
-            for (auto& blowing : blowing_) {
-                if (!before) continue;
-                world.forces.push_back(before->forces[blowing.force]);
-                blowing.force = world.forces.size() - 1;
-            }
-            if (!before) blowing_.clear();
+            if (!before) return blowing_.clear();
+            for (auto& blowing : blowing_)
+                if (const auto* wind = before->forces.find(blowing.force); wind && !world.forces.find(blowing.force))
+                    blowing.force = world.forces.push_back(*wind);
         },
         world_);
 }

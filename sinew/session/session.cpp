@@ -212,8 +212,8 @@ Session::Noted Session::apply(const ReleaseEvent& release, std::uint64_t) {
 Session::Noted Session::apply(const GustEvent& gust, std::uint64_t) {
     std::visit(
         [&]<int D, class Real>(World<D, Real>& world) {
-            blowing_.push_back({world.forces.size(), world.time + gust.duration});
-            world.forces.push_back(wind_of<D, Real>(gust, scene_.measures()));
+            const auto wind = world.forces.push_back(wind_of<D, Real>(gust, scene_.measures()));
+            blowing_.push_back({wind, world.time + gust.duration});
         },
         world_);
     return "";
@@ -361,17 +361,11 @@ std::optional<PinId> Session::freeze_hovered() {
 void Session::still_gusts() {
     std::visit(
         [&](auto& world) {
-            for (std::size_t i = 0; i < blowing_.size();) {
-                if (world.time < blowing_[i].until) {
-                    ++i;
-                    continue;
-                }
-                SINEW_ASSERT(blowing_[i].force < world.forces.size(), "a gust is one of the world's forces");
-                world.forces.erase(world.forces.begin() + std::ptrdiff_t(blowing_[i].force));
-                for (auto& other : blowing_)
-                    if (other.force > blowing_[i].force) --other.force;
-                blowing_.erase(blowing_.begin() + std::ptrdiff_t(i));
-            }
+            std::erase_if(blowing_, [&](const Blowing& gust) {
+                const bool is_over = world.time >= gust.until;
+                if (is_over) world.forces.remove(gust.force);
+                return is_over;
+            });
         },
         world_);
 }

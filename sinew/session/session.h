@@ -174,13 +174,15 @@ class Session {
         visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, collider_moves,
               blowing, history, islands, happenings, happening_count, steering);
     }
+    /// Gives gusts the ids of their forces: before snapshot::version_with_force_ids, these were rows.
+    void name_gusts();
     /// False unless all indices are of this scene and world.
     bool is_sound() const;
 
   private:
     struct Blowing {
-        std::size_t force = 0; ///< index in the world's forces
-        double until = 0;      ///< end, in the scene's unit of time
+        ForceId force{};  ///< in the world
+        double until = 0; ///< end, in the scene's unit of time
 
         template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
             auto& [force, until] = self;

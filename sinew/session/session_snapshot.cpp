@@ -52,8 +52,16 @@ std::optional<SnapshotError> read_world(const snapshot::Frame& frame, const Snap
 
 } // namespace
 
+void Session::name_gusts() {
+    std::visit(
+        [&](const auto& world) {
+            for (auto& [force, until] : blowing_)
+                force = force.index < world.forces.size() ? world.forces.id_of(force.index) : ForceId{};
+        },
+        world_);
+}
+
 bool Session::is_sound() const {
-    const auto forces = std::visit([](const auto& world) { return world.forces.size(); }, world_);
     const auto is_event = [&](const Due& due) {
         return due.event < scene_.events.size() && !scene_.events[due.event].on;
     };
@@ -61,10 +69,8 @@ bool Session::is_sound() const {
         return driven.section < scene_.pins.size() && scene_.pins[driven.section].driver.has_value();
     };
     return std::ranges::all_of(due_, is_event) && std::is_heap(due_.begin(), due_.end()) &&
-           std::ranges::all_of(driven_, is_driven) &&
-           std::ranges::all_of(blowing_, [&](const Blowing& blowing) { return blowing.force < forces; }) &&
-           rules_.is_of(scene_) && winder_.is_of(scene_) && collider_moves_.is_of(scene_) && history_.is_of(scene_) &&
-           history_.is_sound() && steering_.is_of(scene_) &&
+           std::ranges::all_of(driven_, is_driven) && rules_.is_of(scene_) && winder_.is_of(scene_) &&
+           collider_moves_.is_of(scene_) && history_.is_of(scene_) && history_.is_sound() && steering_.is_of(scene_) &&
            happenings_.size() <= std::min(max_happenings, happening_count_);
 }
 
@@ -109,6 +115,7 @@ std::optional<Session> session_of(std::span<const std::byte> bytes, const SceneO
         archive(reader, field);
     };
     Session::state(*session, [&](auto&... fields) { (read(fields), ...); });
+    if (frame->version < snapshot::version_with_force_ids) session->name_gusts();
     if (!reader.failed() && reader.left() > 0) reader.fail("more than a session");
     if (!reader.failed() && !session->is_sound()) reader.fail("an index of something that the scene has not");
     if (reader.failed()) return refused(reader.error());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sinew/snapshot/version.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -65,6 +67,9 @@ class ByteReader {
     ByteReader(std::span<const std::byte> bytes, std::size_t at, std::uint64_t memory)
         : bytes_(bytes), begin_(at), memory_(memory) {}
 
+    /// Version of the format in which the bytes are written.
+    std::uint32_t version() const { return version_; }
+    void set_version(std::uint32_t written) { version_ = written; }
     bool failed() const { return failed_; }
     const SnapshotError& error() const { return error_; }
     std::size_t left() const { return bytes_.size() - at_; }
@@ -127,6 +132,7 @@ class ByteReader {
     std::span<const std::byte> bytes_;
     std::size_t begin_ = 0, at_ = 0;
     std::uint64_t memory_ = 0;
+    std::uint32_t version_ = snapshot::version;
     bool failed_ = false;
     SnapshotError error_;
     std::string_view part_, field_;

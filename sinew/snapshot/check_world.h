@@ -192,6 +192,10 @@ template <int D, class Real> class WorldCheck {
         for (const auto& plane : world_.bounds) {
             within("bounds", double(norm(plane.normal)), 0.99, 1.01);
         }
+        ForceTable<D, Real>::fields(world_.forces, [&](const auto& laws, const auto& tags, const auto& handles) {
+            has_handles("forces", handles, laws.size());
+            has_rows("forces", tags, laws.size());
+        });
         for (const auto& force : world_.forces) std::visit([&](const auto& field) { check_force(field); }, force);
     }
     void check_force(const Gravity<D, Real>& gravity) { finite_force(gravity.acceleration); }

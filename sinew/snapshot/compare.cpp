@@ -84,6 +84,9 @@ class NumberLister {
         for (const auto& collider : colliders)
             for (int i = 0; i < D; ++i) numbers.all.push_back(double(collider.target.position[i]));
     }
+    template <int D, class Real> void put(std::string_view name, const ForceTable<D, Real>& forces) {
+        put(name, std::vector<Force<D, Real>>(forces.begin(), forces.end()));
+    }
     template <class T> void put(std::string_view name, const T& value) {
         std::vector<std::byte> bytes;
         snapshot::ByteWriter writer(bytes, false);

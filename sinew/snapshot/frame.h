@@ -13,8 +13,6 @@
 ///     bytes of the parts: fixed, moving, session
 namespace sinew::snapshot {
 
-inline constexpr std::uint32_t version = 2, oldest_version = 1;
-inline constexpr std::uint32_t version_with_steering = 2; ///< in the session, at its end
 inline constexpr std::size_t parts = 3;
 
 struct Frame {

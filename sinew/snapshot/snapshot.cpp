@@ -13,6 +13,7 @@ template <int D, class Real> void pass_generations(const World<D, Real>& world) 
     world.particles.handles.pass_generations();
     world.pin_handles.pass_generations();
     world.collider_handles.pass_generations();
+    world.forces.pass_generations();
     for_each_table(world, [](const auto& table) { table.handles.pass_generations(); });
     for (const auto& figure : world.figures) Stamp::pass(figure.generation);
 }
@@ -31,6 +32,7 @@ std::optional<SnapshotError> world_of(const Frame& frame, std::uint64_t memory, 
     if (frame.header.dimension != D || frame.header.precision != int(8 * sizeof(Real)))
         return SnapshotError{12, "a world of another dimension or precision", {}};
     ByteReader fixed(frame.part[0], frame.at[0], memory), moving(frame.part[1], frame.at[1], memory);
+    moving.set_version(frame.version);
     visit_fields(world, FieldReader(&fixed, moving));
     for (auto* part : {&fixed, &moving}) {
         part->enter("", "");

@@ -54,6 +54,17 @@ template <class Archive, int D, class Real> void archive(Archive& at, RandomPush
     auto& [low, high, seed] = push;
     archive_all(at, low, high, seed);
 }
+/// Ids and tags are there from a version of the format on; fields of an earlier one get new ids.
+template <class Archive, int D, class Real> void archive(Archive& at, ForceTable<D, Real>& forces) {
+    if constexpr (Archive::is_reading)
+        if (at.version() < version_with_force_ids) {
+            std::vector<Force<D, Real>> laws;
+            archive(at, laws);
+            for (const auto& law : laws) forces.push_back(law, std::uint32_t(forces.size()));
+            return;
+        }
+    ForceTable<D, Real>::fields(forces, [&](auto&... fields) { archive_all(at, fields...); });
+}
 template <class Archive, int D, class Real> void archive(Archive& at, HalfSpace<D, Real>& plane) {
     auto& [normal, offset, restitution, friction] = plane;
     archive_all(at, normal, offset, restitution, friction);

@@ -64,6 +64,10 @@ template <int D, class Real> bool remove_figure(World<D, Real>& world, FigureInd
     remove_constraints(world, std::span<const ConstraintId>(constraints_of(world, figure)));
     remove_particles(world, std::span<const ParticleId>(particles_of(world, figure)));
     world.figure_names.erase_if([&](FigureIndex named) { return named == figure; });
+    world.forces.erase_if([&](const auto& force) { // a later figure may have the index
+        const auto* attractor = std::get_if<Attractor<D, Real>>(&force);
+        return attractor && attractor->figure == figure;
+    });
     for (auto& event : world.events)
         if (event.figure == figure) event.figure = no_figure;
     world.figures[figure] = {};

@@ -10,11 +10,15 @@
 namespace sinew {
 
 /// Uniform acceleration.
-template <int D, class Real> struct Gravity { Vec<D, Real> acceleration{}; };
+template <int D, class Real> struct Gravity {
+    Vec<D, Real> acceleration{};
+    friend constexpr bool operator==(const Gravity&, const Gravity&) = default;
+};
 
 /// Still air or water: F = -strength v.
 template <int D, class Real> struct Drag {
     Real strength = 0; ///< force per velocity
+    friend constexpr bool operator==(const Drag&, const Drag&) = default;
 };
 
 /// Moving air: F = strength w, w = u - v, on each particle, where u = velocity + gust * noise. The noise is smooth in
@@ -31,6 +35,7 @@ template <int D, class Real> struct Wind {
     Real density = 0; ///< mass / length^3: above 0 the wind presses on areas, lines and balls (solver/step/wind.cpp)
     Real drag_coefficient = Real(1.2); ///< of those, >= 0: 1.2 for a plate
     Real metre = 1;                    ///< length; 2D: of lines and balls across the picture
+    friend constexpr bool operator==(const Wind&, const Wind&) = default;
 };
 
 /// Attraction to a point, repulsion if strength is negative: a = -strength d / (|d|^2 + softness^2)^(3/2), d = x -
@@ -40,6 +45,7 @@ template <int D, class Real> struct Attractor {
     Real strength = 0;              ///< acceleration times length squared
     Real softness = 1;              ///< length
     FigureIndex figure = no_figure; ///< pulls the particles of this figure only; no_figure: all
+    friend constexpr bool operator==(const Attractor&, const Attractor&) = default;
 };
 
 template <int D, class Real> constexpr bool pulls(const Attractor<D, Real>& attractor, FigureIndex figure) {
@@ -50,6 +56,7 @@ template <int D, class Real> constexpr bool pulls(const Attractor<D, Real>& attr
 template <int D, class Real> struct RandomPush {
     Vec<D, Real> low{}, high{};
     std::uint64_t seed = 0;
+    friend constexpr bool operator==(const RandomPush&, const RandomPush&) = default;
 };
 
 template <int D, class Real>

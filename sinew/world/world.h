@@ -10,7 +10,7 @@
 #include "sinew/table/limit_columns.h"
 #include "sinew/world/contacts.h"
 #include "sinew/world/figure.h"
-#include "sinew/world/force.h"
+#include "sinew/world/force_table.h"
 #include "sinew/world/integrator.h"
 #include "sinew/world/journal.h"
 #include "sinew/world/world_types.h"
@@ -381,7 +381,7 @@ template <int D, class RealT> struct World {
     std::vector<Run> sweep; ///< order in which the constraints are solved: as added
     std::vector<Pin<D, Real>> pins;
     HandleMap<PinTag> pin_handles;
-    std::vector<Force<D, Real>> forces;
+    ForceTable<D, Real> forces;
     std::vector<HalfSpace<D, Real>> bounds;
     std::vector<collide::Collider<D, Real>> colliders; ///< colliders.h adds, moves and removes them
     HandleMap<ColliderTag> collider_handles;

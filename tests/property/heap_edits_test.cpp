@@ -54,7 +54,7 @@ template <int D, class Real> class Edits {
         if (name == "join") add<Distance>(world_, {id, any()});
         if (name == "contact")
             set_contact(world_, figure(), {.figures = dice_.one_of(2), .itself = dice_.one_of(2), .bounce = 0.5});
-        if (name == "gravity") world_.forces.assign(1, Gravity<D, Real>{place()});
+        if (name == "gravity") world_.forces = {Gravity<D, Real>{place()}};
     }
 
   private:

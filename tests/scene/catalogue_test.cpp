@@ -173,7 +173,7 @@ TEST(Catalogue, ClothHasFiftyPixelCellsAndItsTopRowHeld) {
     EXPECT_EQ(place(world, "cloth/particle_1_1") - place(world, "cloth/particle_0_0"), (Vec2<double>{{50, 50}}));
     EXPECT_EQ(place(world, "cloth/particle_0_0")[1], 50);
     EXPECT_EQ(world.pins.size(), 10U);
-    const auto* push = std::get_if<RandomPush<2, double>>(&world.forces.at(1));
+    const auto* push = std::get_if<RandomPush<2, double>>(&world.forces[1]);
     ASSERT_TRUE(push);
     EXPECT_EQ(push->low, (Vec2<double>{{-2, 0}}));
     EXPECT_EQ(push->high, (Vec2<double>{{6, 0}}));

@@ -1,6 +1,7 @@
 #include "sinew/scene/reader.h"
 #include "sinew/session/session.h"
 #include "sinew/world/edit.h"
+#include "sinew/world/environment.h"
 
 #include "tests/session/positions.h"
 
@@ -84,6 +85,34 @@ TEST(KeptChanges, ConstraintThatCannotGoOnIsTold) {
     EXPECT_EQ(session.become(opened("0", scene(6, 5)).scene), "a constraint holds \"rope\", which begins anew");
     EXPECT_FALSE(constraint_state(world_of(session), *cord));
     EXPECT_TRUE(position_of(world_of(session), weight)) << "the rest goes on";
+}
+
+/// A force that the edit takes away or adds leaves the ids of the others alone; so does one that a call has added.
+TEST(KeptChanges, ForcesAreKnownByWhatTheyAre) {
+    const auto with = [](const std::string& forces) {
+        auto document = load(R"({"sinew": 1, "world": {"forces": [)" + forces + "]}}", "test.json");
+        auto opened = open_scene(document);
+        EXPECT_TRUE(opened) << to_text(document.diagnostics);
+        return std::move(*opened);
+    };
+    const std::string drag = R"({"force": "drag", "strength": 1})", calm = R"({"force": "wind", "velocity": [0, 0]})";
+    Session session(with(drag + ", " + calm));
+    auto& world = std::get<World<2, double>>(session.world());
+    const auto first = world.forces.id_of(1), second = world.forces.id_of(2);
+    const auto added = add_force(world, Drag<2, double>{3});
+    std::get<Wind<2, double>>(*world.forces.find(second)).velocity = {{5, 0}};
+    EXPECT_EQ(session.become(with(calm).scene), "");
+    EXPECT_FALSE(world.forces.find(first));
+    EXPECT_EQ((std::get<Wind<2, double>>(*world.forces.find(second)).velocity[0]), 5);
+    EXPECT_EQ((std::get<Drag<2, double>>(*world.forces.find(added)).strength), 3);
+    EXPECT_EQ(session.become(with(drag + ", " + calm).scene), "");
+    ASSERT_EQ(world.forces.size(), 4U);
+    EXPECT_EQ(world.forces.row_of(second), Row(2));
+    EXPECT_EQ(world.forces.row_of(added), Row(3));
+    EXPECT_NE(world.forces.id_of(1), first);
+    EXPECT_EQ(session.become(with("").scene), "");
+    ASSERT_EQ(world.forces.size(), 2U);
+    EXPECT_EQ(world.forces.row_of(added), Row(1));
 }
 
 /// Rows get the ids of another table, and new ones differ from all of them.

@@ -7,10 +7,13 @@
 #include "sinew/world/measure.h"
 
 #include "tests/dice.h"
+#include "tests/paths.h"
 #include "tests/thorough.h"
 
 #include <cstring>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 
 /// Controls of characters and cars as state of a session: saved, restored, copied, checked.
 namespace sinew::SINEW_TEST_FILE {
@@ -208,18 +211,46 @@ std::pair<Session, std::size_t> steered() {
     return {session, save(session).size() - before};
 }
 
-// A file of before says nothing of controls: it opens, and those of the scene's events count.
-TEST(Steering, IsOfTheSceneInAFileOfTheVersionBefore) {
-    auto session = session_with("double");
-    for (int i = 0; i < 30; ++i) session.step();
-    auto bytes = save(session);
+/// Last bytes of a session that is steered by nobody: no keys, and two empty lists.
+constexpr std::size_t of_nothing = 3;
+
+/// A snapshot by the program of version 2, after half a second; and the hash after two, of a run that never stopped.
+Bytes of_version_2() {
+    std::ifstream file(test::source_dir() + "/tests/session/version-2.sinew", std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+constexpr std::uint64_t hash_after_two_seconds = 0x2e1630b62b579442U;
+
+// A file of version 1 says nothing of controls: it opens, and those of the scene's events count.
+TEST(Steering, IsOfTheSceneInAFileOfVersion1) {
+    auto bytes = of_version_2();
     bytes.resize(bytes.size() - 3); // no keys, no figure, no parameters
     bytes[8] = std::byte{1};
     mend(bytes);
     auto opened = restored(bytes);
-    for (int i = 0; i < 30; ++i) session.step(), opened.step();
-    EXPECT_EQ(hash_of(opened), hash_of(session));
-    bytes[8] = std::byte{snapshot::version};
+    opened.run_until(2);
+    EXPECT_EQ(hash_of(opened), hash_after_two_seconds);
+}
+
+// Forces of version 2 get ids; a gust that blows then ends when it is due.
+TEST(Steering, GoesOnInAFileOfVersion2) {
+    auto opened = restored(of_version_2());
+    const auto forces = [&] { return std::get<World<2, double>>(opened.world()).forces.size(); };
+    EXPECT_EQ(forces(), 3U);
+    EXPECT_EQ(opened.become(opened.scene()), "");
+    EXPECT_EQ(forces(), 3U) << "those of the scene are known as such";
+    opened.run_until(2);
+    EXPECT_EQ(forces(), 2U);
+    opened = restored(of_version_2());
+    opened.run_until(2);
+    EXPECT_EQ(hash_of(opened), hash_after_two_seconds);
+}
+
+TEST(Steering, ThatAFileLacksIsRefused) {
+    auto bytes = save(session_with("double"));
+    bytes.resize(bytes.size() - of_nothing);
     mend(bytes);
     SnapshotError error;
     EXPECT_FALSE(session_of(bytes, opened_scene, error));

@@ -128,7 +128,7 @@ template <class WorldT, class Each> struct FieldSpoiler {
         ++settings.substeps;
         return true;
     }
-    template <int D, class Real> static bool change(std::vector<Force<D, Real>>& forces) {
+    template <int D, class Real> static bool change(ForceTable<D, Real>& forces) {
         forces.push_back(Gravity<D, Real>{});
         return true;
     }
@@ -201,7 +201,7 @@ TEST(Snapshots, OfOthersAreRefusedByName) {
     EXPECT_EQ(text_of({}), "byte 0: not a snapshot of Sinew");
     auto later = some_world();
     later[8] = std::byte{200};
-    EXPECT_EQ(text_of(later), "byte 8: version 200 of the format; this program reads versions 1 to 2");
+    EXPECT_EQ(text_of(later), "byte 8: version 200 of the format; this program reads versions 1 to 3");
     World<3, float> other;
     EXPECT_EQ(restore(other, some_world())->text(), "byte 12: a world of another dimension or precision");
 }

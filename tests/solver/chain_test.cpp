@@ -56,7 +56,7 @@ TYPED_TEST(Chains, FollowRowsThatMoveWhileAFieldKeepsThemOutOfTheLanes) {
         world->forces.push_back(Drag<TypeParam::dimension, Real>{Real(0.1)});
         remove_figure(*world, 0);
         go_on(3);
-        world->forces.pop_back();
+        world->forces.remove(world->forces.id_of(Row(world->forces.size() - 1)));
         go_on(20);
     }
     expect_same(kept, 0, thrown_away);

@@ -56,7 +56,7 @@ TYPED_TEST(StateHash, ChangesWithEverythingThatDecidesTheFuture) {
         +[](World& w) { unpin(w, w.pin_handles.id_of(0)); },
         +[](World& w) { move_pin(w, w.pin_handles.id_of(0), at<Vector>(9, 9)); },
         +[](World& w) { w.pins[0].compliance = 1; },
-        +[](World& w) { w.forces.pop_back(); },
+        +[](World& w) { w.forces.remove(w.forces.id_of(Row(w.forces.size() - 1))); },
         +[](World& w) { std::get<Wind<World::dimension, typename World::Real>>(w.forces[2]).seed += 1; },
         +[](World& w) { std::get<Attractor<World::dimension, typename World::Real>>(w.forces[3]).softness += 1; },
         +[](World& w) { w.bounds[0].restitution = 0; },

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstdint>
+
+/// Versions of the format of snapshots.
+namespace sinew::snapshot {
+
+inline constexpr std::uint32_t version = 3, oldest_version = 1;
+inline constexpr std::uint32_t version_with_steering = 2;  ///< in the session
+inline constexpr std::uint32_t version_with_force_ids = 3; ///< of the world's forces
+
+} // namespace sinew::snapshot
