@@ -14,7 +14,8 @@ foreach(folder IN ITEMS sinew player bindings/c bindings/wasm)
     list(APPEND all ${sources})
 endforeach()
 list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp|/bindings/c/native/|/bindings/wasm/exceptions[.]cpp")
-list(APPEND all canvas/beside.cpp bindings/no_files.cpp bindings/c/native/world.cpp bindings/c/native/collider.cpp)
+list(APPEND all canvas/beside.cpp bindings/no_files.cpp bindings/c/native/world.cpp bindings/c/native/collider.cpp
+    bindings/c/native/collider_shape.cpp)
 list(TRANSFORM all PREPEND ${PROJECT_SOURCE_DIR}/ REGEX "^[^/]")
 list(FILTER all EXCLUDE REGEX "/targets/(avx[0-9]+|one)[.]cpp") # every engine has SIMD
 set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE SINEW_NO_AVX2 SINEW_NO_AVX512)

@@ -719,9 +719,12 @@ typedef enum sinew_collider_shape SINEW_INT {
     SINEW_SPHERE = 1,     /* a circle in 2D */
     SINEW_CAPSULE = 2,    /* a segment along its own x axis, thickened by `radius` */
     SINEW_BOX = 3,
-    SINEW_POLYGON_2D = 4, /* convex, corners counter-clockwise */
-    SINEW_TERRAIN_2D = 5  /* a line of points, solid on its right-hand side (below one that runs to the right from
-                             left, counter-clockwise around a closed one: inside) */
+    SINEW_POLYGON_2D = 4,     /* convex, corners counter-clockwise */
+    SINEW_TERRAIN_2D = 5,     /* a line of points, solid on its right-hand side: below one that runs from left to right,
+                                 inside a closed one whose points are clockwise */
+    SINEW_MESH_3D = 6,        /* triangles, each solid behind */
+    SINEW_HEIGHT_FIELD_3D = 7 /* a landscape over a square grid in the xz plane, solid below: a height y for each x =
+                                 column times spacing, z = row times spacing */
 } sinew_collider_shape;
 typedef struct sinew_collider_spec {
     uint32_t struct_size;
@@ -732,7 +735,7 @@ typedef struct sinew_collider_spec {
     double turn;               /* radians */
     sinew_point half;          /* box: half of its edges; capsule: half.x is half of its segment */
     double radius;             /* sphere, capsule */
-    const sinew_point* points; /* polygon, terrain */
+    const sinew_point* points; /* polygon, terrain, mesh: from `position`, within 1e8; at most 2^20 */
     uint32_t point_count;
     uint32_t is_sensor;  /* 1: touched without a push */
     double bounce;       /* share of the approach speed given back, 0 to 1 */
@@ -740,7 +743,16 @@ typedef struct sinew_collider_spec {
     uint32_t layers;     /* bits; 0: the first */
     uint32_t mask;       /* layers that touch it; 0: all */
     sinew_point one_way; /* direction of the normals that are solid, in its own frame; all zero: all */
+    /* Fields of later versions. */
+    const uint32_t* triangles;    /* mesh: three numbers of points each, counter-clockwise seen from the free side */
+    uint32_t triangle_count;      /* at most 2^22 */
+    uint32_t is_closed;           /* 1: terrain with an edge from the last point to the first */
+    const double* heights;        /* height field: row after row; within 1e8, at most 2^24 */
+    uint32_t columns, rows;       /* of heights, 2 and more */
+    double spacing;               /* height field: side of a cell, above 0 */
+    sinew_point surface_velocity; /* of a belt: the surface runs along itself, in its own frame, length / time */
 } sinew_collider_spec;
+/* SINEW_BAD_ARGUMENT, with the place ("triangles[7] names point 9 of 8"), for numbers that make no shape. */
 SINEW_API sinew_status sinew_world_add_collider(sinew_world world, const sinew_collider_spec* spec,
                                                 sinew_collider* collider);
 SINEW_API sinew_status sinew_world_remove_collider(sinew_world world, sinew_collider collider);

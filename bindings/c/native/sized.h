@@ -29,10 +29,10 @@ template <class Spec> const char* copy_sized(const void* given, std::size_t firs
     return nullptr;
 }
 
-/// The same for a parameter, whose first version is today's.
-template <class Spec> sinew_status take(const Spec* given, Spec& spec) {
+/// The same for a parameter; `first`: size of the first version, today's unless the struct has grown.
+template <class Spec> sinew_status take(const Spec* given, Spec& spec, std::size_t first = sizeof(Spec)) {
     if (!given) return null_argument();
-    const auto* fault = copy_sized(given, sizeof(Spec), spec);
+    const auto* fault = copy_sized(given, first, spec);
     return fault ? fail(SINEW_BAD_ARGUMENT, fault) : SINEW_OK;
 }
 
