@@ -131,8 +131,7 @@ sinew_status sinew_world_find_collider(sinew_world simulation, const char* name,
 
 sinew_status sinew_world_move_collider(sinew_world simulation, sinew_collider collider, sinew_point position,
                                        double turn, const sinew_point* axis) {
-    if (!is_finite(position) || !std::isfinite(turn) || (axis && !is_finite(*axis)))
-        return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
+    if (!is_finite(position) || !std::isfinite(turn) || (axis && !is_finite(*axis))) return not_finite();
     return change(simulation, [&](Session& session) {
         return std::visit(
             [&]<int D, class Real>(World<D, Real>& world) {

@@ -1,7 +1,6 @@
 #include "sinew/world/edit.h"
 
 #include "sinew/constraint/kind_table.h"
-#include "sinew/session/pick.h"
 
 #include "bindings/c/native/sized.h"
 #include "bindings/c/simulation.h"
@@ -9,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-/// Edits of a simulation between steps, and the pointer's grab and cut.
+/// Edits of a simulation between steps.
 using namespace sinew;
 using namespace sinew::c;
 
@@ -22,10 +21,6 @@ template <class Work> sinew_status in_world(sinew_world simulation, const Work& 
 
 sinew_status found(bool was, const char* of) {
     return was ? SINEW_OK : bad_id(of);
-}
-
-sinew_status not_finite() {
-    return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
 }
 
 /// Calls work(world, id) for a constraint that exists.
@@ -77,16 +72,6 @@ template <int D> bool takes(std::uint32_t kind, std::size_t count) {
     if (kind >= kinds_in<D>.size()) return false;
     const auto& info = kinds_in<D>[kind];
     return info.any_arity ? count >= std::size_t(info.min_arity) : count == std::size_t(info.min_arity);
-}
-
-/// The pixel of a position in the view that the scene asks for, and the pixels of `radius`.
-std::optional<View::Seen> seen_in(const Session& session, const View& view, const sinew_point& at) {
-    return session.scene().dimension == 2 ? view.see(point_of(at).as<3, double>()) : std::nullopt;
-}
-
-View own_view(const Session& session) {
-    const auto& size = session.scene().view.size;
-    return session.view(size[0], size[1]);
 }
 
 } // namespace
@@ -259,63 +244,6 @@ sinew_status sinew_world_move_pin(sinew_world simulation, sinew_pin pin, sinew_p
 
 sinew_status sinew_world_unpin(sinew_world simulation, sinew_pin pin) {
     return in_world(simulation, [&](auto& world) { return found(unpin(world, id_of<PinTag>(pin)), "pin"); });
-}
-
-// --- pointer
-// -----------------------------------------------------------------------------------------------------------
-
-sinew_status sinew_world_grab(sinew_world simulation, sinew_point at, double radius) {
-    if (!is_finite(at) || !(radius >= 0)) return not_finite();
-    return change(simulation, [&](Session& session) {
-        const auto view = own_view(session);
-        const auto seen = seen_in(session, view, at);
-        const auto picked =
-            seen ? pick(session.world(), view, cast<double>(seen->pixel), radius * double(seen->scale)) : std::nullopt;
-        const bool held = picked && session.grab(picked->members, picked->position);
-        return held ? SINEW_OK : fail(SINEW_NOT_FOUND, "nothing that could move is there");
-    });
-}
-
-sinew_status sinew_world_grab_particle(sinew_world simulation, sinew_particle particle) {
-    return change(simulation, [&](Session& session) {
-        const auto id = id_of<ParticleTag>(particle);
-        const auto position = position_of(session.world(), std::span(&id, 1));
-        if (!position) return bad_id("particle");
-        return session.grab(std::span(&id, 1), *position) ? SINEW_OK
-                                                          : fail(SINEW_NOT_FOUND, "the particle cannot move");
-    });
-}
-
-sinew_status sinew_world_drag(sinew_world simulation, sinew_point to) {
-    if (!is_finite(to)) return not_finite();
-    return change(simulation, [&](Session& session) {
-        session.drag(point_of(to));
-        return SINEW_OK;
-    });
-}
-
-sinew_status sinew_world_let_go(sinew_world simulation) {
-    return change(simulation, [](Session& session) {
-        session.let_go();
-        return SINEW_OK;
-    });
-}
-
-sinew_status sinew_world_point_at(sinew_world simulation, sinew_point at) {
-    if (!is_finite(at)) return not_finite();
-    return change(simulation, [&](Session& session) {
-        session.point_at(point_of(at));
-        return SINEW_OK;
-    });
-}
-
-sinew_status sinew_world_cut(sinew_world simulation, sinew_point from, sinew_point to, uint32_t* count) {
-    if (!is_finite(from) || !is_finite(to)) return not_finite();
-    return change(simulation, [&](Session& session) {
-        const auto cut = session.cut({point_of(from), point_of(to)});
-        if (count) *count = std::uint32_t(cut);
-        return SINEW_OK;
-    });
 }
 
 } // extern "C"

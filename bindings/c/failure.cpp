@@ -73,6 +73,10 @@ sinew_status null_argument() {
     return fail(SINEW_BAD_ARGUMENT, "an argument is null");
 }
 
+sinew_status not_finite() {
+    return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
+}
+
 void forget_diagnostics() {
     last().diagnostics.clear();
 }

@@ -22,6 +22,7 @@ sinew_status fail(sinew_status status, std::string message);
 sinew_status bad_handle();
 sinew_status bad_id(const char* of); ///< "particle", "constraint", "pin"
 sinew_status null_argument();
+sinew_status not_finite();
 
 /// Keeps the errors of a scene as the thread's diagnostics. Returns SINEW_BAD_SCENE, or SINEW_OK if there are none.
 sinew_status keep_diagnostics(const Diagnostics& diagnostics);

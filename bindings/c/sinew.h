@@ -243,6 +243,7 @@ typedef uint64_t sinew_constraint;
 typedef uint64_t sinew_pin;
 typedef uint64_t sinew_collider;
 typedef uint64_t sinew_force;
+typedef uint64_t sinew_grab;
 #define SINEW_NO_ID UINT64_MAX
 
 SINEW_API sinew_status sinew_world_particle_at(sinew_world world, uint32_t row, sinew_particle* particle);
@@ -487,7 +488,8 @@ SINEW_API sinew_status sinew_world_move_collider(sinew_world world, sinew_collid
 /* --- pointer ----------------------------------------------------------------------------------------------------- */
 
 /* Grabs the nearest particle within `radius` (the scene's unit of length), or a point between several, as a pointer
- * does: with a force of 100 times gravity at most. SINEW_NOT_FOUND if nothing movable is there. 2D. */
+ * does: with a force of 100 times gravity at most. In 3D a particle alone. SINEW_NOT_FOUND if nothing movable is there.
+ */
 SINEW_API sinew_status sinew_world_grab(sinew_world world, sinew_point at, double radius);
 /* Grabs one particle. */
 SINEW_API sinew_status sinew_world_grab_particle(sinew_world world, sinew_particle particle);
@@ -496,6 +498,19 @@ SINEW_API sinew_status sinew_world_drag(sinew_world world, sinew_point to);
 SINEW_API sinew_status sinew_world_let_go(sinew_world world);
 /* Position of the pointer, for pins that follow it. */
 SINEW_API sinew_status sinew_world_point_at(sinew_world world, sinew_point at);
+/* Movable particle whose surface is nearest to the straight way between two points, within `radius`; of several that
+ * the way meets the first one. From the eye through a pixel it is the particle under the pointer. `share` (may be null)
+ * is its place on the way, 0 to 1: the depth at which a pointer drags it. SINEW_NOT_FOUND if there is none. */
+SINEW_API sinew_status sinew_world_pick(sinew_world world, sinew_point from, sinew_point to, double radius,
+                                        sinew_particle* particle, double* share);
+/* A grab of the same strength beside all others: of a second finger, a hand of a figure. Grabs of the same particle add
+ * up. Copies and saved worlds hold it, and it outlasts an edit of the scene. SINEW_NOT_FOUND for a particle that cannot
+ * move. */
+SINEW_API sinew_status sinew_world_add_grab(sinew_world world, sinew_particle particle, sinew_grab* grab);
+/* Target at the end of the next step. SINEW_BAD_ID for a grab that has ended, as with its particle. */
+SINEW_API sinew_status sinew_world_move_grab(sinew_world world, sinew_grab grab, sinew_point to);
+/* Lets go: the particle keeps its velocity. */
+SINEW_API sinew_status sinew_world_remove_grab(sinew_world world, sinew_grab grab);
 /* Cuts every distance that crosses the line, as seen in the scene's own view; `count` (may be null) is the number cut.
  */
 SINEW_API sinew_status sinew_world_cut(sinew_world world, sinew_point from, sinew_point to, uint32_t* count);

@@ -19,11 +19,47 @@ bool Session::grab(std::span<const ParticleId> members, const Point& position) {
         stroke_to_ = position;
         return true;
     }
-    const auto units = scene_.measures();
-    hand_ =
-        PointerGrab::take(world_, members, position, PointerGrab::strength * units.per_metre / square(units.per_second),
-                          scene_.pointer.grab_radius, hold_rule(scene_));
+    hand_ = grip(members, position);
     return hand_.has_value();
+}
+
+std::optional<PointerGrab> Session::grip(std::span<const ParticleId> members, const Point& position) {
+    const auto units = scene_.measures();
+    const double strength = PointerGrab::strength * units.per_metre / square(units.per_second);
+    return PointerGrab::take(world_, members, position, strength, scene_.pointer.grab_radius, hold_rule(scene_));
+}
+
+std::optional<PinId> Session::hold(std::span<const ParticleId> members, const Point& position) {
+    const auto taken = grip(members, position);
+    if (!taken) return std::nullopt;
+    hands_.push_back(*taken);
+    return taken->pin;
+}
+
+bool Session::carry(PinId grab, const Point& position) {
+    forget_lost_grabs();
+    const auto found = std::ranges::find(hands_, grab, &PointerGrab::pin);
+    if (found == hands_.end()) return false;
+    found->target = position;
+    return true;
+}
+
+bool Session::release(PinId grab) {
+    forget_lost_grabs();
+    const auto found = std::ranges::find(hands_, grab, &PointerGrab::pin);
+    if (found == hands_.end()) return false;
+    found->let_go(world_);
+    hands_.erase(found);
+    return true;
+}
+
+/// Grabs end with their pins: another pin has taken their place, or the particle is gone.
+void Session::forget_lost_grabs() {
+    std::visit(
+        [&](const auto& world) {
+            std::erase_if(hands_, [&](const PointerGrab& hand) { return !world.pin_handles.find(hand.pin); });
+        },
+        world_);
 }
 
 void Session::drag(const Point& position) {
@@ -68,6 +104,7 @@ std::string Session::become(Scene scene, std::shared_ptr<Level> level) {
     if (memory.size() == level_memory_.size()) level_memory_ = memory;
     if (level_) migrate_built({old, before.figures.size()}, {world_, scene_.figures.size()});
     keep_going(old);
+    forget_lost_grabs();
     if (!history_.is_of(scene_)) history_.restart(scene_, world_);
     return lost;
 }

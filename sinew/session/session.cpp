@@ -69,6 +69,7 @@ void Session::restart() {
     note_parted();
     plan_events();
     hand_.reset();
+    hands_.clear();
     stroke_.reset();
     taken_over_ = false;
     grabs_.clear();
@@ -137,6 +138,7 @@ void Session::step() {
     grabs_.carry(world_, dt);
     const auto frozen = freeze_hovered();
     if (hand_) hand_->carry(world_);
+    for (const auto& hand : hands_) hand.carry(world_);
     if (stroke_) stroke_->go(world_, stroke_to_);
     std::visit(
         [&]<class WorldT>(WorldT& world) {
@@ -439,6 +441,7 @@ Vec2<double> Session::position_of(Vec2<double> pixel, int width, int height) con
 std::vector<ParticleId> Session::held_particles() const {
     std::vector<ParticleId> all;
     if (hand_) all = hand_->members;
+    for (const auto& hand : hands_) all.insert(all.end(), hand.members.begin(), hand.members.end());
     const auto held = grabs_.particles(world_);
     all.insert(all.end(), held.begin(), held.end());
     return all;

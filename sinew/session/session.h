@@ -121,6 +121,13 @@ class Session {
     /// Target of the held point at the end of the next step.
     void drag(const Point& position);
     void let_go();
+    /// Grabs as the pointer does, but for strokes, beside all other grabs. Returns the id of the grab, that of its pin;
+    /// nothing where grab() is false.
+    std::optional<PinId> hold(std::span<const ParticleId> members, const Point& position);
+    /// Target of such a grab at the end of the next step; false if it has ended.
+    bool carry(PinId grab, const Point& position);
+    /// Ends such a grab; false if it has ended.
+    bool release(PinId grab);
     /// The pointer's grab, or null.
     const PointerGrab* hand() const { return hand_ ? &*hand_ : nullptr; }
     /// True if the pointer holds particles or strokes them (classic mode).
@@ -170,9 +177,9 @@ class Session {
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [scene, world, solver, images, focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to,
                taken_over, grabs, collider_moves, blowing, history, islands, happenings, happening_count, level,
-               level_memory, steering] = self;
+               level_memory, steering, hands] = self;
         visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, collider_moves,
-              blowing, history, islands, happenings, happening_count, steering);
+              blowing, history, islands, happenings, happening_count, steering, hands);
     }
     /// Gives gusts the ids of their forces: before snapshot::version_with_force_ids, these were rows.
     void name_gusts();
@@ -233,10 +240,12 @@ class Session {
     Noted apply(const AddEvent& event, std::uint64_t before);
     Noted apply(const ColliderEvent& event, std::uint64_t before);
     template <class Event> Noted apply(const Event& event, std::uint64_t before);
+    std::optional<PointerGrab> grip(std::span<const ParticleId> members, const Point& position);
     std::optional<PinId> freeze_hovered();
     void still_gusts();
     std::string keep_changes_of(const Scene& scene, const AnyWorld& old, std::span<const FigureIndex> going_on);
     void keep_going(const AnyWorld& old);
+    void forget_lost_grabs();
     void happen_on_contact();
     void note(SessionEvent event);
     void note(std::string what, std::string where, std::size_t islands = 0);
@@ -267,6 +276,7 @@ class Session {
     std::shared_ptr<Level> level_; ///< none: the scene alone
     std::vector<std::byte> level_memory_;
     Steering steering_;
+    std::vector<PointerGrab> hands_; ///< of calls, beside the pointer's
 };
 
 } // namespace sinew

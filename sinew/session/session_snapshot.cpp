@@ -17,6 +17,11 @@ template <class Archive> void archive(Archive& at, Controls& controls) {
     auto& [along, up, jump, hold] = controls;
     archive_all(at, along, up, jump, hold);
 }
+/// Version from which on a session's field is there.
+template <class Field> inline constexpr std::uint32_t first_with = oldest_version;
+template <> inline constexpr std::uint32_t first_with<Steering> = version_with_steering;
+template <> inline constexpr std::uint32_t first_with<std::vector<PointerGrab>> = version_with_grabs;
+
 /// Parameters of a prefab.
 template <class Archive, Record Prefab> void archive(Archive& at, Prefab& prefab) {
     Prefab::fields(prefab, [&](auto& parameter, const Field&) { archive(at, parameter); });
@@ -111,8 +116,7 @@ std::optional<Session> session_of(std::span<const std::byte> bytes, const SceneO
     if (auto fault = read_world(*frame, limits, session->world())) return refused(std::move(*fault));
     reader.enter("session", "state");
     const auto read = [&]<class Field>(Field& field) {
-        if (std::is_same_v<Field, Steering> && frame->version < snapshot::version_with_steering) return;
-        archive(reader, field);
+        if (frame->version >= snapshot::first_with<Field>) archive(reader, field);
     };
     Session::state(*session, [&](auto&... fields) { (read(fields), ...); });
     if (frame->version < snapshot::version_with_force_ids) session->name_gusts();

@@ -8,5 +8,6 @@ namespace sinew::snapshot {
 inline constexpr std::uint32_t version = 3, oldest_version = 1;
 inline constexpr std::uint32_t version_with_steering = 2;  ///< in the session
 inline constexpr std::uint32_t version_with_force_ids = 3; ///< of the world's forces
+inline constexpr std::uint32_t version_with_grabs = 3;     ///< of calls, in the session
 
 } // namespace sinew::snapshot

@@ -211,8 +211,8 @@ std::pair<Session, std::size_t> steered() {
     return {session, save(session).size() - before};
 }
 
-/// Last bytes of a session that is steered by nobody: no keys, and two empty lists.
-constexpr std::size_t of_nothing = 3;
+/// Last bytes of a session that is steered by nobody: no keys, and three empty lists.
+constexpr std::size_t of_nothing = 4;
 
 /// A snapshot by the program of version 2, after half a second; and the hash after two, of a run that never stopped.
 Bytes of_version_2() {

@@ -25,10 +25,6 @@ json::Array list_of(const sinew_point& point, int dimension) {
     return list;
 }
 
-sinew_status infinite_number() {
-    return fail(SINEW_BAD_ARGUMENT, "a number is not finite");
-}
-
 /// Scene without figures, as text.
 std::string scene_of(const sinew_world_spec& spec, int dimension) {
     json::Object world{{"gravity", list_of(spec.gravity, dimension)}, {"damping", spec.damping}};
@@ -109,12 +105,12 @@ sinew_status sinew_world_create(const sinew_world_spec* given, sinew_world* simu
     if (dimension != 2 && dimension != 3) return fail(SINEW_BAD_ARGUMENT, "a world has 2 or 3 dimensions");
     if (spec.real_bytes != 0 && spec.real_bytes != 4 && spec.real_bytes != 8)
         return fail(SINEW_BAD_ARGUMENT, "a number has 4 or 8 bytes");
-    if (!is_finite(spec.gravity) || !std::isfinite(spec.damping) || !std::isfinite(spec.rate)) return infinite_number();
+    if (!is_finite(spec.gravity) || !std::isfinite(spec.damping) || !std::isfinite(spec.rate)) return not_finite();
     return sinew_world_open(scene_of(spec, int(dimension)).c_str(), nullptr, simulation);
 }
 
 sinew_status sinew_world_set_gravity(sinew_world simulation, sinew_point gravity) {
-    if (!is_finite(gravity)) return infinite_number();
+    if (!is_finite(gravity)) return not_finite();
     return change(simulation, [&](Session& session) {
         std::visit([&]<int D, class Real>(World<D, Real>& world) { set_gravity(world, vector_of<D, Real>(gravity)); },
                    session.world());
@@ -126,7 +122,7 @@ sinew_status sinew_world_add_figure(sinew_world simulation, const sinew_figure_s
     sinew_figure_spec spec;
     if (const auto status = take(given, spec)) return status;
     if (!spec.prefab || (spec.parameter_count > 0 && !spec.parameters)) return null_argument();
-    if (!is_finite(spec.position) || !is_finite(spec.velocity) || !std::isfinite(spec.turn)) return infinite_number();
+    if (!is_finite(spec.position) || !is_finite(spec.velocity) || !std::isfinite(spec.turn)) return not_finite();
     return change(simulation, [&](Session& session) { return ::add_figure(session, spec, figure); });
 }
 
