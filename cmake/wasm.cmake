@@ -15,7 +15,7 @@ foreach(folder IN ITEMS sinew player bindings/c bindings/wasm)
 endforeach()
 list(FILTER all EXCLUDE REGEX "/player/(files|folder|script)[.]cpp|/bindings/c/native/|/bindings/wasm/exceptions[.]cpp")
 list(APPEND all canvas/beside.cpp bindings/no_files.cpp bindings/c/native/world.cpp bindings/c/native/collider.cpp
-    bindings/c/native/collider_shape.cpp)
+    bindings/c/native/collider_shape.cpp bindings/c/native/figure.cpp)
 list(TRANSFORM all PREPEND ${PROJECT_SOURCE_DIR}/ REGEX "^[^/]")
 list(FILTER all EXCLUDE REGEX "/targets/(avx[0-9]+|one)[.]cpp") # every engine has SIMD
 set_property(SOURCE sinew/solver/simd/kernel.cpp APPEND PROPERTY COMPILE_DEFINITIONS SINEW_NO_ONE SINEW_NO_AVX2 SINEW_NO_AVX512)

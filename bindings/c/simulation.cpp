@@ -30,6 +30,12 @@ Handles<Simulation>& simulations() {
     return open;
 }
 
+json::Array numbers_of(const sinew_point& point, int dimension) {
+    json::Array list{point.x, point.y};
+    if (dimension == 3) list.emplace_back(point.z);
+    return list;
+}
+
 bool is_finite(const sinew_point& point) {
     return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }

@@ -88,6 +88,8 @@ inline Point point_of(const sinew_point& point) {
 template <int D, class Real> Vec<D, Real> vector_of(const sinew_point& point) {
     return point_of(point).as<D, Real>();
 }
+/// As a scene states it.
+json::Array numbers_of(const sinew_point& point, int dimension);
 bool is_finite(const sinew_point& point);
 /// The same direction, by a vector whose square neither overflows nor vanishes, even in float.
 sinew_point of_usable_length(const sinew_point& direction);

@@ -719,11 +719,17 @@ typedef struct sinew_figure_spec {
     const char* name;                  /* null: that of the prefab, with a number if it is taken */
     sinew_point position;
     sinew_point velocity;
-    double turn; /* radians, counter-clockwise; in 3D about z */
+    double turn; /* radians, counter-clockwise; in 3D about z; 0: as a parameter "turn" says, in degrees */
 } sinew_figure_spec;
 /* Builds a prefab into the world. `figure` (may be null) is the index for sinew_world_figure_at(). SINEW_BAD_SCENE,
  * with diagnostics, for an unknown prefab or a parameter out of its range. */
 SINEW_API sinew_status sinew_world_add_figure(sinew_world world, const sinew_figure_spec* spec, uint32_t* figure);
+/* New values of a figure that was added, by names as in its spec, those of its place included: "at", "turn" in degrees.
+ * It goes on as it moves, and ids hold; numbers that calls have set stay, unless a value concerns them.
+ * SINEW_BAD_ARGUMENT, and no change, for a value that changes its form ("segments"), for one that would turn a pinned
+ * figure or one that has been cut, and for a figure of the scene: sinew_world_set(). SINEW_BAD_SCENE as above. */
+SINEW_API sinew_status sinew_world_set_figure(sinew_world world, uint32_t figure, const sinew_parameter* parameters,
+                                              uint32_t count);
 /* Removes a figure with its particles. */
 SINEW_API sinew_status sinew_world_remove_figure(sinew_world world, uint32_t figure);
 /* Index of a figure by name. */

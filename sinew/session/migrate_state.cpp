@@ -31,23 +31,6 @@ template <class WorldT> class Transplant {
         is_.quarantined = was_.quarantined;
     }
 
-    /// After carry(): moves the state by the similarity that the description was changed by.
-    void transform(const Similarity<WorldT::dimension>& by) {
-        using Vector = typename WorldT::Vector;
-        using Real = typename WorldT::Real;
-        const auto middle = middle_of(fresh_, is_);
-        auto& p = fresh_.particles;
-        for (const auto id : is_.particles) {
-            const auto row = row_of(fresh_, id);
-            if (!row) continue;
-            const auto before = cast<double>(p.position[*row] - p.previous[*row]);
-            p.position[*row] = cast<Real>(by.apply(cast<double>(p.position[*row]), middle));
-            p.previous[*row] = p.position[*row] - cast<Real>(by.rotated(before));
-            p.velocity[*row] = cast<Real>(by.rotated(cast<double>(p.velocity[*row])));
-            p.residual[*row] = Vector{};
-        }
-    }
-
   private:
     const WorldT& old_;
     const Figure& was_;
@@ -244,7 +227,7 @@ std::vector<FigureIndex> carry_all(const Scene& scene, const WorldT& old, const 
         const auto lost = gone.size() + cut.size();
         figure.carry(gone, cut);
         if (gone.size() + cut.size() == lost && was.fragments.empty()) fresh.figures[i].pieces = pieces;
-        if (!moved->is_identity) figure.transform(*moved);
+        if (!moved->is_identity) move_by(fresh, fresh.figures[i], *moved); // after carry()
         going_on.push_back(FigureIndex(i));
     }
     if (!cut.empty()) remove_constraints(fresh, std::span<const ConstraintId>(cut));

@@ -1,3 +1,5 @@
+#include "sinew/scene/check.h"
+#include "sinew/session/change_figure.h"
 #include "sinew/session/keep_changes.h"
 #include "sinew/session/migrate_state.h"
 #include "sinew/session/session.h"
@@ -83,6 +85,29 @@ void Session::quicken(double by) {
         world_);
 }
 
+FigureIndex Session::add(const FigureSection& section, const std::string& model) {
+    add_figure(scene_, section, world_);
+    const auto figure = std::visit([&](const auto& world) { return *find_figure(world, name_of(section)); }, world_);
+    remember(figure, section, model);
+    return figure;
+}
+
+void Session::remember(FigureIndex figure, const FigureSection& section, const std::string& model) {
+    const auto id = id_of(figure);
+    added_.remember(id, json::to_text(to_json(scene_, section)));
+    if (const auto steered = Steering::of(section)) steering_.know({id, *steered, model});
+}
+
+std::string Session::change(FigureIndex figure, const Opened& before, const Opened& after) {
+    auto why_not = change_figure(world_, figure, {before.world, after.world});
+    if (why_not.empty()) remember(figure, after.scene.figures.front(), steering_.model_of(id_of(figure)));
+    return why_not;
+}
+
+FigureId Session::id_of(FigureIndex figure) const {
+    return std::visit([&](const auto& world) { return figure_id(world, figure); }, world_);
+}
+
 std::string Session::become(Scene scene) {
     return become(std::move(scene), level_);
 }
@@ -99,8 +124,13 @@ std::string Session::become(Scene scene, std::shared_ptr<Level> level) {
     const auto lost = level_ ? "" : keep_changes_of(before, old, going_on);
     const auto memory = std::move(level_memory_);
     const auto steering = steering_;
+    auto added = added_;
     build_level();
-    if (!level_) steering_.take_over(steering, old, world_); // code steers its own figures
+    if (!level_) { // code steers its own figures
+        steering_.take_over(steering, old, world_);
+        added.keep_those_of(world_);
+        added_ = std::move(added);
+    }
     if (memory.size() == level_memory_.size()) level_memory_ = memory;
     if (level_) migrate_built({old, before.figures.size()}, {world_, scene_.figures.size()});
     keep_going(old);

@@ -88,6 +88,7 @@ void Session::play(std::shared_ptr<Level> level) {
 void Session::build_level() {
     level_memory_.assign(level_ ? level_->memory() : 0, std::byte{});
     steering_.restart();
+    added_.clear();
     if (!level_) return;
     set_contact_filter({}); // that of the code before
     level_->build(*this);
@@ -236,7 +237,7 @@ Session::Noted Session::apply(const AddEvent& event, std::uint64_t before) {
     for (auto number = before + 1; copy.name = concat(event.figure, "_", number), exists(copy.name);) ++number;
     if (event.to) copy.at = *event.to;
     if (event.velocity) copy.velocity = *event.velocity;
-    add_figure(scene_, copy, world_);
+    add(copy, event.figure);
     note_parted();
     return copy.name;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/scene/scene.h"
+#include "sinew/session/added_figures.h"
 #include "sinew/session/collider_motion.h"
 #include "sinew/session/contact_rules.h"
 #include "sinew/session/driver.h"
@@ -98,6 +99,12 @@ class Session {
     void leave_level() { level_ = nullptr; }
     /// Goes on with other code, as `become` does with another scene: figures whose parts are the same keep their state.
     std::string become(Scene scene, std::shared_ptr<Level> level);
+    /// Builds a figure beside those of the scene; its name is free. `model`: the figure whose events steer it as well.
+    FigureIndex add(const FigureSection& section, const std::string& model = {});
+    /// Figures that were added, and still are.
+    const AddedFigures& added() const { return added_; }
+    /// Gives an added figure another description, both opened as the only figure of a scene: change_figure().
+    std::string change(FigureIndex figure, const Opened& before, const Opened& after);
     /// Controls of characters and cars, for the next steps.
     Steering& steering() { return steering_; }
     const Steering& steering() const { return steering_; }
@@ -177,9 +184,9 @@ class Session {
     template <class Self, class Visit> static void state(Self& self, Visit&& visit) {
         auto& [scene, world, solver, images, focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to,
                taken_over, grabs, collider_moves, blowing, history, islands, happenings, happening_count, level,
-               level_memory, steering, hands] = self;
+               level_memory, steering, hands, added] = self;
         visit(focus, due, rules, driven, winder, pointer, hand, stroke, stroke_to, taken_over, grabs, collider_moves,
-              blowing, history, islands, happenings, happening_count, steering, hands);
+              blowing, history, islands, happenings, happening_count, steering, hands, added);
     }
     /// Gives gusts the ids of their forces: before snapshot::version_with_force_ids, these were rows.
     void name_gusts();
@@ -240,6 +247,8 @@ class Session {
     Noted apply(const AddEvent& event, std::uint64_t before);
     Noted apply(const ColliderEvent& event, std::uint64_t before);
     template <class Event> Noted apply(const Event& event, std::uint64_t before);
+    FigureId id_of(FigureIndex figure) const;
+    void remember(FigureIndex figure, const FigureSection& section, const std::string& model);
     std::optional<PointerGrab> grip(std::span<const ParticleId> members, const Point& position);
     std::optional<PinId> freeze_hovered();
     void still_gusts();
@@ -277,6 +286,7 @@ class Session {
     std::vector<std::byte> level_memory_;
     Steering steering_;
     std::vector<PointerGrab> hands_; ///< of calls, beside the pointer's
+    AddedFigures added_;
 };
 
 } // namespace sinew

@@ -21,7 +21,15 @@ template <class Archive> void archive(Archive& at, Controls& controls) {
 template <class Field> inline constexpr std::uint32_t first_with = oldest_version;
 template <> inline constexpr std::uint32_t first_with<Steering> = version_with_steering;
 template <> inline constexpr std::uint32_t first_with<std::vector<PointerGrab>> = version_with_grabs;
+template <> inline constexpr std::uint32_t first_with<AddedFigures> = version_with_added_figures;
 
+template <class Archive> void archive(Archive& at, Steering::Known& known) {
+    auto& [figure, steered, model] = known;
+    archive_all(at, figure, steered);
+    if constexpr (Archive::is_reading)
+        if (at.version() < version_with_models) return;
+    archive(at, model);
+}
 /// Parameters of a prefab.
 template <class Archive, Record Prefab> void archive(Archive& at, Prefab& prefab) {
     Prefab::fields(prefab, [&](auto& parameter, const Field&) { archive(at, parameter); });
@@ -106,6 +114,7 @@ std::optional<Session> session_of(std::span<const std::byte> bytes, const SceneO
     if (!frame) return std::nullopt;
     if (frame->header.content != SnapshotContent::session) return refused({14, "a world without a session", {}});
     snapshot::ByteReader reader(frame->part[2], frame->at[2], limits.memory);
+    reader.set_version(frame->version);
     std::string text, from;
     reader.enter("session", "scene");
     archive_all(reader, text, from);
@@ -124,6 +133,7 @@ std::optional<Session> session_of(std::span<const std::byte> bytes, const SceneO
     if (!reader.failed() && !session->is_sound()) reader.fail("an index of something that the scene has not");
     if (reader.failed()) return refused(reader.error());
     session->steering().pass_generations();
+    session->added().pass_generations();
     return session;
 }
 

@@ -72,4 +72,20 @@ std::optional<Similarity<WorldT::dimension>> similarity_of(const WorldT& before,
     return found;
 }
 
+/// Moves a running figure, with its velocities, about its present middle.
+template <class WorldT> void move_by(WorldT& world, const Figure& figure, const Similarity<WorldT::dimension>& by) {
+    using Real = typename WorldT::Real;
+    const auto middle = middle_of(world, figure);
+    auto& p = world.particles;
+    for (const auto id : figure.particles) {
+        const auto row = row_of(world, id);
+        if (!row) continue;
+        const auto before = cast<double>(p.position[*row] - p.previous[*row]);
+        p.position[*row] = cast<Real>(by.apply(cast<double>(p.position[*row]), middle));
+        p.previous[*row] = p.position[*row] - cast<Real>(by.rotated(before));
+        p.velocity[*row] = cast<Real>(by.rotated(cast<double>(p.velocity[*row])));
+        p.residual[*row] = {};
+    }
+}
+
 } // namespace sinew

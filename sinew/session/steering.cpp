@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -40,9 +41,9 @@ Controls controls_at(const Scene& scene, std::string_view figure, double now) {
 }
 
 /// True if no two entries are of figures of one index.
-template <class Entries> bool are_of_different_figures(const Entries& entries) {
+template <class Entries, class FigureOf> bool are_of_different_figures(const Entries& entries, FigureOf figure_of) {
     std::vector<std::uint32_t> indices;
-    for (const auto& entry : entries) indices.push_back(entry.first.index);
+    for (const auto& entry : entries) indices.push_back(std::invoke(figure_of, entry).index);
     std::ranges::sort(indices);
     return std::ranges::adjacent_find(indices) == indices.end();
 }
@@ -77,9 +78,14 @@ void Steering::set(const FigureId& figure, std::optional<Controls> controls) {
     if (controls) set_.emplace_back(figure, within_range(*controls));
 }
 
-void Steering::know(const FigureId& figure, const Steered& steered) {
-    std::erase_if(known_, [&](const auto& entry) { return entry.first.index == figure.index; });
-    known_.emplace_back(figure, steered);
+void Steering::know(const Known& known) {
+    std::erase_if(known_, [&](const Known& other) { return other.figure.index == known.figure.index; });
+    known_.push_back(known);
+}
+
+std::string Steering::model_of(const FigureId& figure) const {
+    const auto found = std::ranges::find(known_, figure, &Known::figure);
+    return found == known_.end() ? std::string() : found->model;
 }
 
 std::optional<Steering::Steered> Steering::steered(const Scene& scene, const AnyWorld& world,
@@ -87,8 +93,8 @@ std::optional<Steering::Steered> Steering::steered(const Scene& scene, const Any
     return std::visit(
         [&](const auto& any) -> std::optional<Steered> {
             if (!has_figure(any, figure)) return std::nullopt;
-            for (const auto& [known, parameters] : known_)
-                if (known == figure_id(any, figure)) return parameters;
+            for (const auto& known : known_)
+                if (known.figure == figure_id(any, figure)) return known.steered;
             for (const auto& section : scene.figures)
                 if (name_of(section) == any.figures[figure].name) return of(section);
             return std::nullopt;
@@ -123,19 +129,17 @@ void Steering::take_over(const Steering& before, const AnyWorld& old, const AnyW
     };
     for (const auto& [figure, controls] : before.set_)
         if (const auto id = now_called(figure); id != FigureId{}) set(id, controls);
-    for (const auto& [figure, steered] : before.known_)
-        if (const auto id = now_called(figure); id != FigureId{}) know(id, steered);
+    for (const auto& [figure, steered, model] : before.known_)
+        if (const auto id = now_called(figure); id != FigureId{}) know({id, steered, model});
 }
 
 template <class WorldT> void Steering::run_in(const Scene& scene, WorldT& world) const {
     using Real = typename WorldT::Real;
     const double now = world.time + step_length(scene) * 1e-6; // the clock is a sum of steps
-    const auto move = [&](FigureIndex figure, const Steered& steered) {
+    const auto move = [&](FigureIndex figure, const Steered& steered, std::string_view model) {
         const auto own =
             std::ranges::find(set_, figure_id(world, figure), [](const auto& entry) { return entry.first; });
-        const auto controls = own != set_.end() ? own->second
-                              : player_         ? *player_
-                                                : controls_at(scene, world.figures[figure].name, now);
+        const auto controls = own != set_.end() ? own->second : player_ ? *player_ : controls_at(scene, model, now);
         const auto dt = Real(step_length(scene));
         if (const auto* character = std::get_if<Character>(&steered))
             walk(world, figure, *character, controls, dt);
@@ -144,14 +148,15 @@ template <class WorldT> void Steering::run_in(const Scene& scene, WorldT& world)
     };
     const auto is_known = [&](FigureIndex figure) {
         const auto id = figure_id(world, figure);
-        return std::ranges::any_of(known_, [&](const auto& entry) { return entry.first == id; });
+        return std::ranges::any_of(known_, [&](const Known& known) { return known.figure == id; });
     };
     for (const auto& section : scene.figures)
         if (const auto steered = of(section))
             if (const auto figure = find_figure(world, name_of(section)); figure && !is_known(*figure))
-                move(*figure, *steered);
-    for (const auto& [known, steered] : known_)
-        if (const auto figure = figure_index(world, known)) move(*figure, steered);
+                move(*figure, *steered, name_of(section));
+    for (const auto& [known, steered, model] : known_)
+        if (const auto figure = figure_index(world, known))
+            move(*figure, steered, model.empty() ? world.figures[*figure].name : model);
 }
 
 bool Steering::is_of(const Scene& scene) const {
@@ -162,13 +167,14 @@ bool Steering::is_of(const Scene& scene) const {
     };
     return (!player_ || is_within_range(*player_)) &&
            std::ranges::all_of(set_, [&](const auto& entry) { return is_within_range(entry.second); }) &&
-           std::ranges::all_of(known_, [&](const auto& entry) { return is_possible(entry.second); }) &&
-           are_of_different_figures(set_) && are_of_different_figures(known_);
+           std::ranges::all_of(known_, [&](const Known& known) { return is_possible(known.steered); }) &&
+           are_of_different_figures(set_, &std::pair<FigureId, Controls>::first) &&
+           are_of_different_figures(known_, &Known::figure);
 }
 
 void Steering::pass_generations() const {
     for (const auto& [figure, controls] : set_) Stamp::pass(figure.generation);
-    for (const auto& [figure, steered] : known_) Stamp::pass(figure.generation);
+    for (const auto& [figure, steered, model] : known_) Stamp::pass(figure.generation);
 }
 
 void Steering::run(const Scene& scene, AnyWorld& any) const {

@@ -7,6 +7,7 @@
 #include "sinew/scene/scene.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -28,8 +29,15 @@ class Steering {
     /// Controls of a figure by the program; nothing: the player's and the scene's again. A later figure of the same
     /// index has none of them.
     void set(const FigureId& figure, std::optional<Controls> controls);
-    /// Parameters of a figure that is not of the scene, each within the range of its field.
-    void know(const FigureId& figure, const Steered& steered);
+    /// A figure beside those of the scene.
+    struct Known {
+        FigureId figure;
+        Steered steered;   ///< parameters, each within the range of its field
+        std::string model; ///< original of a copy, whose events steer the copy as well; empty: none
+    };
+    void know(const Known& known);
+    /// Original of a copy; empty for any other figure.
+    std::string model_of(const FigureId& figure) const;
     /// Parameters of a figure; nothing for one that cannot be steered.
     std::optional<Steered> steered(const Scene& scene, const AnyWorld& world, FigureIndex figure) const;
     /// True if there is something to steer.
@@ -57,7 +65,7 @@ class Steering {
     static constexpr Controls neutral{};
     std::optional<Controls> player_;
     std::vector<std::pair<FigureId, Controls>> set_;
-    std::vector<std::pair<FigureId, Steered>> known_;
+    std::vector<Known> known_;
 
     static Controls within_range(const Controls& controls);
     template <class WorldT> void run_in(const Scene& scene, WorldT& world) const;

@@ -54,7 +54,7 @@ template <class Prefab> void add(Session& session, const Prefab& prefab, const s
     section.name = name;
     section.at[0] = x;
     add_figure(session.scene(), section, session.world());
-    session.steering().know(id_of(session, name), prefab);
+    session.steering().know({id_of(session, name), prefab, {}});
 }
 
 std::uint64_t hash_of(const Session& session) {
@@ -153,7 +153,7 @@ TEST(Steering, OfARemovedFigureIsNotTakenOver) {
     add(session, Character{}, "walker", -8);
     auto id = id_of(session, "walker");
     id.generation += 1000; // as another process might have drawn
-    session.steering().know(id, Character{});
+    session.steering().know({id, Character{}, {}});
     session.steering().set(id, Controls{.along = 1});
     auto opened = restored(save(session));
     std::visit([](auto& world) { remove_figure(world, *find_figure(world, "walker")); }, opened.world());
@@ -170,6 +170,34 @@ TEST(Steering, OfAFigureInPlaceOfOneOfTheSceneIsItsOwn) {
     for (int i = 0; i < 60; ++i) session.step();
     const auto& world = std::get<World<2, double>>(session.world());
     EXPECT_NEAR((*velocity_of(world, *find_particle(world, "hero/feet")))[0], -2, 0.05);
+}
+
+// A copy by an event drives as its original does by the events of that one, and on its own keys.
+TEST(Steering, OfTheOriginalIsThatOfItsCopies) {
+    const std::string text = R"({"sinew": 1, "world": {"gravity": [0, -9.81]},
+        "colliders": [{"shape": "box", "size": [900, 1], "at": [0, -0.5]}],
+        "figures": [{"prefab": "car", "name": "racer"}, {"prefab": "character", "name": "hero", "at": [-20, 0]}],
+        "events": [{"at": 0.1, "add": "racer", "to": [40, 0]}, {"at": 0.1, "add": "hero", "to": [-40, 0]},
+                   {"at": 1, "steer": "racer", "along": 1, "duration": 2},
+                   {"at": 1, "steer": "hero", "along": -1, "duration": 2}]})";
+    Session session(std::move(*opened_scene(text, {})));
+    const auto speed = [&](const std::string& figure) {
+        const auto& world = std::get<World<2, double>>(session.world());
+        return (*velocity_of(world, world.figures[*find_figure(world, figure)].particles[0]))[0];
+    };
+    session.run_until(0.9);
+    EXPECT_NEAR(speed("racer_1"), 0, 0.05);
+    session = restored(save(session));
+    session.run_until(2.5);
+    EXPECT_GT(speed("racer"), 2);
+    EXPECT_NEAR(speed("racer_1"), speed("racer"), 0.1) << "the fall from the place of the copy is another";
+    EXPECT_LT(speed("hero_1"), -1);
+    session.become(session.scene());
+    session.run_until(2.6);
+    EXPECT_GT(speed("racer_1"), 2);
+    session.steering().play({.along = -1});
+    session.run_until(7);
+    EXPECT_LT(speed("racer_1"), -1);
 }
 
 TEST(Steering, IsHeldWithinItsRange) {
@@ -211,8 +239,8 @@ std::pair<Session, std::size_t> steered() {
     return {session, save(session).size() - before};
 }
 
-/// Last bytes of a session that is steered by nobody: no keys, and three empty lists.
-constexpr std::size_t of_nothing = 4;
+/// Last bytes of a session that is steered by nobody: no keys, and four empty lists.
+constexpr std::size_t of_nothing = 5;
 
 /// A snapshot by the program of version 2, after half a second; and the hash after two, of a run that never stopped.
 Bytes of_version_2() {
