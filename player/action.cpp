@@ -2,11 +2,14 @@
 
 #include "sinew/world/edit.h"
 
+#include <utility>
+
 namespace sinew::play {
 namespace {
 
 struct EventApplier {
     Session& session;
+    std::string lost{}; ///< why something did not go on
 
     void operator()(const PointAt& action) const { session.point_at(action.position); }
     void operator()(const Grab& action) const {
@@ -17,7 +20,7 @@ struct EventApplier {
     void operator()(const Drag& action) const { session.drag(action.position); }
     void operator()(const LetGo&) const { session.let_go(); }
     void operator()(const Slash& action) const { session.cut(action.line, {}, action.look.view(session.scene())); }
-    void operator()(const Become& action) const { session.become(*action.scene); }
+    void operator()(const Become& action) { lost = session.become(*action.scene); }
     void operator()(const Return& action) const { session = *action.to; }
     void operator()(const Restart&) const { session.restart(); }
     void operator()(const Quicken& action) const { session.quicken(action.by); }
@@ -52,8 +55,10 @@ std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> part
     return rows;
 }
 
-void carry_out(const Action& action, Session& session) {
-    std::visit(EventApplier{session}, action);
+std::string carry_out(const Action& action, Session& session) {
+    EventApplier applier{session};
+    std::visit(applier, action);
+    return std::move(applier.lost);
 }
 
 } // namespace sinew::play

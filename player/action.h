@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -76,6 +77,7 @@ ParticleId id_at(const AnyWorld& world, Row row);
 /// Current rows of particles; the largest Row for a missing particle.
 std::vector<Row> rows_of(const AnyWorld& world, std::span<const ParticleId> particles);
 
-void carry_out(const Action& action, Session& session);
+/// Returns the reason why an edit of the scene has lost something (Session::become); empty if all goes on.
+std::string carry_out(const Action& action, Session& session);
 
 } // namespace sinew::play

@@ -11,8 +11,11 @@ void Play::undo() {
     let_go_of_everything();
     const auto what = timeline().undo_name();
     if (what.empty()) return;
-    each_pane([&] { timeline().undo(); });
     message = "undone: " + what;
+    each_pane([&] {
+        timeline().undo();
+        tell_what_is_lost();
+    });
     tell("undo", {{"edit", what}, {"hash", hash()}});
 }
 
@@ -20,8 +23,11 @@ void Play::redo() {
     let_go_of_everything();
     const auto what = timeline().redo_name();
     if (what.empty()) return;
-    each_pane([&] { timeline().redo(); });
     message = "done again: " + what;
+    each_pane([&] {
+        timeline().redo();
+        tell_what_is_lost();
+    });
     tell("redo", {{"edit", what}, {"hash", hash()}});
 }
 
@@ -33,9 +39,17 @@ void Play::become(const std::vector<Scene>& scenes, const std::string& name, boo
 
 /// The same while a tool is busy.
 void Play::apply(const std::vector<Scene>& scenes, const std::string& name, bool goes_on) {
-    each_pane([&] { timeline().edit(Become{std::make_shared<const Scene>(scenes[active_])}, name, goes_on); });
+    each_pane([&] {
+        timeline().edit(Become{std::make_shared<const Scene>(scenes[active_])}, name, goes_on);
+        tell_what_is_lost();
+    });
     clock_->set_rate(session().scene().solver.rate);
     tell("edit", {{"edit", name}});
+}
+
+/// Shows what an edit could not keep.
+void Play::tell_what_is_lost() {
+    if (!timeline().lost().empty()) message = "not kept: " + timeline().lost();
 }
 
 void Play::change(const std::function<void(Scene&)>& change, const std::string& name) {
@@ -70,6 +84,7 @@ bool Play::add(std::string_view list, json::Object element, const std::string& n
     auto changed = edited(session().scene(), [&](json::Object& root) { append(root, list, std::move(element)); });
     if (!changed.scene) return report_problem(std::move(changed.problem)), false;
     timeline().edit(Become{std::make_shared<const Scene>(std::move(*changed.scene))}, "add " + name);
+    tell_what_is_lost();
     tell("edit", {{"edit", "add " + name}});
     return true;
 }
@@ -119,8 +134,9 @@ void Play::toggle_gravity() {
                           square(scene.measures().per_second);
         scene.world.gravity = on ? Point{} : gravity_;
     };
-    change(toggle, on ? "no gravity" : "gravity");
-    message = on ? "no gravity" : "gravity";
+    const std::string name = on ? "no gravity" : "gravity";
+    message = name;
+    change(toggle, name);
 }
 
 void Play::toggle_wind() {
@@ -138,8 +154,9 @@ void Play::toggle_wind() {
         wind.strength = 0.15 / units.per_second;
         scene.world.forces.push_back({wind});
     };
-    change(toggle, on ? "no wind" : "wind");
-    message = on ? "no wind" : "wind";
+    const std::string name = on ? "no wind" : "wind";
+    message = name;
+    change(toggle, name);
 }
 
 } // namespace sinew::play

@@ -237,6 +237,7 @@ class Play {
     void tend_draft(double seconds);
     void drop_draft();
     void become(const std::vector<Scene>& scenes, const std::string& name, bool goes_on);
+    void tell_what_is_lost();
     void apply(const std::vector<Scene>& scenes, const std::string& name, bool goes_on);
     void forget_missing_parts();
     void follow(double seconds);

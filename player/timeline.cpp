@@ -82,7 +82,7 @@ void Timeline::step() {
 
 void Timeline::apply(const Action& action) {
     ++revision_;
-    carry_out(action, session_);
+    lost_ = carry_out(action, session_);
     log_.note(action, session_);
     if (leaps(action)) between_.forget();
 }

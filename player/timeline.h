@@ -73,6 +73,8 @@ class Timeline {
     std::int64_t edits() const { return edits_made_; }
     /// Names of the edits that undo and redo would apply; empty if none.
     std::string undo_name() const { return undone_ < edits_.size() ? edits_[edits_.size() - 1 - undone_].name : ""; }
+    /// Reason why the last action has lost something that calls, events or tools had changed; empty if all goes on.
+    const std::string& lost() const { return lost_; }
     std::string redo_name() const { return undone_ > 0 ? edits_[edits_.size() - undone_].name : ""; }
 
   private:
@@ -101,6 +103,7 @@ class Timeline {
     Interpolator between_;
     std::uint64_t now_ = 0, end_ = 0, revision_ = 0;
     std::uint64_t spacing_ = 0; ///< steps between marks
+    std::string lost_{};
     std::deque<Mark> marks_;
     std::deque<Done> done_;
     std::deque<Edit> edits_;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace sinew {
 namespace {
@@ -142,13 +143,26 @@ template <class WorldT> std::string lost_of(const Replacement& worlds, const Wor
                : "";
 }
 
+/// Keys of a search.
+template <class Tag> auto key_of(const Id<Tag>& id) {
+    return std::pair(id.index, id.generation);
+}
+auto key_of(const ConstraintId& id) {
+    return std::pair(id.kind, key_of(id.id));
+}
+constexpr auto key_before = [](const auto& pair) { return key_of(pair[0]); };
+
 template <class IdT> void rename_in(const std::vector<std::array<IdT, 2>>& pairs, IdT& id) {
-    const auto found = std::ranges::find(pairs, id, [](const auto& pair) { return pair[0]; });
-    if (found != pairs.end()) id = (*found)[1];
+    const auto found = std::ranges::lower_bound(pairs, key_of(id), {}, key_before);
+    if (found != pairs.end() && (*found)[0] == id) id = (*found)[1];
 }
 
 } // namespace
 
+void Renamed::sort() {
+    std::ranges::sort(pins, {}, key_before);
+    std::ranges::sort(constraints, {}, key_before);
+}
 void Renamed::rename(PinId& id) const {
     rename_in(pins, id);
 }
@@ -168,6 +182,7 @@ std::string keep_changes(const Replacement& worlds, Renamed& renamed) {
             added.add_all();
             ForceMerge<WorldT>(merge).merge_all();
             Ids<WorldT>(merge).adopt_all(renamed);
+            renamed.sort();
             added.copy_figures();
             carry_contacts(old, *fresh);
             return merge.lost;

@@ -19,11 +19,12 @@ struct Replacement {
     std::span<const PinId> not_kept{};     ///< pins of the old world that others make anew
 };
 
-/// Ids of a world before and after keep_changes(), by row.
+/// Ids of a world before and after keep_changes(), in order of those before.
 struct Renamed {
     std::vector<std::array<PinId, 2>> pins;
     std::vector<std::array<ConstraintId, 2>> constraints;
 
+    void sort();
     void rename(PinId& id) const;
     void rename(ConstraintId& id) const;
 };

@@ -46,5 +46,33 @@ TEST(Sized, AStructOfAnOlderVersionIsFilledNoFurtherThanItGoes) {
     EXPECT_EQ(older.beyond, 6);
 }
 
+struct Wide {
+    std::uint32_t struct_size;
+    double number[2];
+};
+struct Narrow {
+    std::uint32_t struct_size, number;
+    double later;
+};
+
+/// Bytes of the library's stack are none of the caller's business.
+TEST(Sized, BytesBeforeTheSecondFieldAreCleared) {
+    EXPECT_EQ(place_of_second<Wide>, offsetof(Wide, number));
+    EXPECT_EQ(place_of_second<Narrow>, offsetof(Narrow, number));
+    EXPECT_EQ(place_of_second<sinew_diagnostic>, offsetof(sinew_diagnostic, source));
+    EXPECT_EQ(place_of_second<sinew_particle_state>, offsetof(sinew_particle_state, position));
+    EXPECT_EQ(place_of_second<sinew_ray_hit>, offsetof(sinew_ray_hit, share));
+    EXPECT_EQ(place_of_second<sinew_figure>, offsetof(sinew_figure, name));
+    EXPECT_EQ(place_of_second<sinew_force_spec>, offsetof(sinew_force_spec, kind));
+    Wide made{}, out{};
+    std::memset(&made, 7, sizeof made);
+    std::memset(&out, 9, sizeof out);
+    out.struct_size = sizeof out;
+    fill_sized(made, &out);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(&out);
+    for (auto at = sizeof out.struct_size; at < offsetof(Wide, number); ++at) EXPECT_EQ(bytes[at], 0);
+    EXPECT_EQ(bytes[offsetof(Wide, number)], 7);
+}
+
 } // namespace
 } // namespace sinew::c::SINEW_TEST_FILE

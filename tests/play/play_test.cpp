@@ -246,6 +246,27 @@ TEST(Play, AnEditedFigureGoesOnAsItMovesAndOneThatIsMovedMovesSo) {
     EXPECT_LT(distance(pixel_of(play, "bob/head"), head + by), 0.01);
 }
 
+/// A rope that was cut begins anew in another form, and whole: that is told, and what goes on is not.
+TEST(Play, WhatAnEditCannotKeepIsTold) {
+    Play play(library, "rope");
+    play.resize(1280, 720);
+    for (int i = 0; i < 30; ++i) play.advance(1.0 / 60);
+    const auto constraints = play.session().report().constraints;
+    const auto middle = pixel_of(play, "rope/particle_10");
+    play.tool = "cut";
+    play.handle(Moved{middle + Vec2<double>{{-120, 3}}});
+    play.handle(Pressed{});
+    play.handle(Moved{middle + Vec2<double>{{120, 4}}});
+    play.handle(Released{});
+    ASSERT_LT(play.session().report().constraints, constraints);
+    EXPECT_TRUE(play.set("world.damping", "0.01")) << play.problem();
+    EXPECT_EQ(play.message.find("not kept"), std::string::npos) << play.message;
+    EXPECT_TRUE(play.set("figures.rope.segments", "18")) << play.problem();
+    EXPECT_EQ(play.message, "not kept: the figure \"rope\" has been cut or joined, and would begin anew");
+    play.undo();
+    EXPECT_EQ(play.message.find("undone"), 0u) << play.message;
+}
+
 TEST(Play, EveryToolLeavesASceneThatCanBeSavedAndOpened) {
     const auto path = ::testing::TempDir() + "/saved.json";
     for (const auto* tool : {"rope", "polygon", "cloth", "spawn", "pin", "remove", "measure"}) {

@@ -1,4 +1,5 @@
 #include "sinew/scene/reader.h"
+#include "sinew/session/keep_changes.h"
 #include "sinew/session/session.h"
 #include "sinew/world/edit.h"
 #include "sinew/world/environment.h"
@@ -85,6 +86,25 @@ TEST(KeptChanges, ConstraintThatCannotGoOnIsTold) {
     EXPECT_EQ(session.become(opened("0", scene(6, 5)).scene), "a constraint holds \"rope\", which begins anew");
     EXPECT_FALSE(constraint_state(world_of(session), *cord));
     EXPECT_TRUE(position_of(world_of(session), weight)) << "the rest goes on";
+}
+
+/// An edit makes all rows anew; each pin and constraint is found by its id, whatever the order.
+TEST(KeptChanges, IdsAreFoundInAnyOrder) {
+    const Id<ConstraintTag> first{0, 9}, second{1, 2};
+    Renamed renamed{.pins = {{{{7, 1}, {1, 1}}}, {{{2, 5}, {2, 2}}}, {{{2, 4}, {3, 3}}}},
+                    .constraints = {{{{1, first}, {1, second}}}, {{{0, second}, {0, first}}}}};
+    renamed.sort();
+    const auto of = [&](auto id) {
+        renamed.rename(id);
+        return id;
+    };
+    EXPECT_EQ(of(PinId{7, 1}), (PinId{1, 1}));
+    EXPECT_EQ(of(PinId{2, 5}), (PinId{2, 2}));
+    EXPECT_EQ(of(PinId{2, 4}), (PinId{3, 3}));
+    EXPECT_EQ(of(PinId{2, 6}), (PinId{2, 6})) << "unknown";
+    EXPECT_EQ(of(ConstraintId{1, first}), (ConstraintId{1, second}));
+    EXPECT_EQ(of(ConstraintId{0, second}), (ConstraintId{0, first}));
+    EXPECT_EQ(of(ConstraintId{0, first}), (ConstraintId{0, first}));
 }
 
 /// A force that the edit takes away or adds leaves the ids of the others alone; so does one that a call has added.

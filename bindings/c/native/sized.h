@@ -44,13 +44,26 @@ template <class State> sinew_status can_fill(const State* out) {
     return fault ? fail(SINEW_BAD_ARGUMENT, fault) : SINEW_OK;
 }
 
+/// Converts to any type of an alignment.
+template <std::size_t alignment> struct Aligned {
+    template <class T>
+    requires(alignof(T) == alignment) operator T() const;
+};
+
+/// Place of the field after `struct_size`, which is 8-aligned or not.
+template <class State> inline constexpr std::size_t place_of_second = requires {
+    State{std::uint32_t(0), Aligned<8>{}};
+}
+? 8 : 4;
+
 /// Fills a struct of the caller, of which can_fill() is true: fields of a later version, which the library lacks, are
-/// 0.
+/// 0, and so are bytes between `struct_size` and the next field.
 template <class State> void fill_sized(const State& made, State* out) {
-    constexpr auto own = sizeof out->struct_size;
+    constexpr auto own = sizeof out->struct_size, second = place_of_second<State>;
     const std::size_t size = out->struct_size, known = size < sizeof(State) ? size : sizeof(State);
     auto* bytes = reinterpret_cast<unsigned char*>(out);
-    std::memcpy(bytes + own, reinterpret_cast<const unsigned char*>(&made) + own, known - own);
+    std::memset(bytes + own, 0, second - own);
+    std::memcpy(bytes + second, reinterpret_cast<const unsigned char*>(&made) + second, known - second);
     std::memset(bytes + known, 0, size - known);
 }
 
