@@ -60,8 +60,11 @@ constexpr std::uint32_t max_slots = 1u << (32 - kind_bits);
 sinew_status add(Session session, sinew_world* handle) {
     auto simulation = std::make_unique<Simulation>();
     simulation->own.emplace(std::move(session));
-    simulation->own->set_contact_filter({}); // of the simulation that was copied
-    simulation->own->leave_level();          // which the player calls for its own
+    auto options = simulation->own->options(); // of the simulation that was copied
+    options.contact_filter = {};
+    options.program_threads = {};
+    simulation->own->set_options(options);
+    simulation->own->leave_level(); // which the player calls for its own
     const auto id = simulations().add(std::move(simulation));
     if (id == 0) return fail(SINEW_FULL, "too many open simulations");
     handle->id = id;

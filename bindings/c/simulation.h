@@ -26,6 +26,14 @@ struct Drawn {
 
 struct UserData; // native/user_data.cpp
 
+/// Threads of the caller: a function for all tasks of a step, or two for each of them, or none.
+struct Tasks {
+    sinew_parallel parallel = nullptr;
+    sinew_enqueue enqueue = nullptr;
+    sinew_finish finish = nullptr;
+    void* context = nullptr;
+};
+
 /// A simulation: a session of its own, one that is lent for the length of a call, or one of a player's panes.
 struct Simulation {
     std::optional<Session> own;
@@ -44,6 +52,7 @@ struct Simulation {
         void* context = nullptr;
     };
     Filter filter{};        ///< of contacts, by the caller
+    Tasks tasks{};          ///< the solver has their address
     bool is_asking = false; ///< it steps: a callback of the caller's may be running
 
     /// Null if the player has no such pane, and for one that is lent between calls.

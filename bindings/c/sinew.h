@@ -142,7 +142,8 @@ typedef struct sinew_open_options {
 SINEW_API sinew_status sinew_world_open(const char* scene, const sinew_open_options* options, sinew_world* world);
 /* Reads a scene and reports its errors, without keeping it. `options` may be null. */
 SINEW_API sinew_status sinew_check(const char* scene, const sinew_open_options* options);
-/* A copy in the present state, which goes on by itself: without filter, user data, and the code of a level. */
+/* A copy in the present state, which goes on by itself: without filter, task system, user data, and the code of a
+ * level. */
 SINEW_API sinew_status sinew_world_copy(sinew_world world, sinew_world* copy);
 SINEW_API sinew_status sinew_world_close(sinew_world world);
 
@@ -941,6 +942,11 @@ typedef void* (*sinew_enqueue)(void* context, void (*task)(void* task_context, u
 typedef void (*sinew_finish)(void* context, void* handle);
 /* Both null: the library's own threads. SINEW_BAD_ARGUMENT if one is null. */
 SINEW_PROGRAM_API sinew_status sinew_set_task_system(sinew_enqueue enqueue, sinew_finish finish, void* context);
+/* The same for the steps of one world, in place of those for all; null: those for all. Copies have none of their own.
+ */
+SINEW_PROGRAM_API sinew_status sinew_world_set_parallel(sinew_world world, sinew_parallel parallel, void* context);
+SINEW_PROGRAM_API sinew_status sinew_world_set_task_system(sinew_world world, sinew_enqueue enqueue,
+                                                           sinew_finish finish, void* context);
 /* Threads of a world; 0: as many as there are cores. 1 never starts any. */
 SINEW_PROGRAM_API sinew_status sinew_world_set_threads(sinew_world world, uint32_t threads);
 /* Instruction set of a world: "one", "sse2", "avx2", "avx512", "neon"; null: the best, as sinew_simd() has it.

@@ -15,4 +15,22 @@ struct ProgramThreads {
 /// For every world, from the next step on; called while no step runs. Results do not depend on the threads.
 void set_program_threads(const ProgramThreads& threads);
 
+/// Scope in which the steps of the calling thread use these threads; none: the ones for every world.
+#if defined(__wasm__)
+struct ThreadsOfSteps {
+    explicit ThreadsOfSteps(const ProgramThreads&) {}
+};
+#else
+class ThreadsOfSteps {
+  public:
+    explicit ThreadsOfSteps(const ProgramThreads& threads);
+    ThreadsOfSteps(const ThreadsOfSteps&) = delete;
+    ThreadsOfSteps& operator=(const ThreadsOfSteps&) = delete;
+    ~ThreadsOfSteps();
+
+  private:
+    ProgramThreads before_;
+};
+#endif
+
 } // namespace sinew

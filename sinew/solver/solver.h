@@ -4,6 +4,7 @@
 #include "sinew/solver/collider_touches.h"
 #include "sinew/solver/contact_filter.h"
 #include "sinew/solver/profile.h"
+#include "sinew/solver/program_threads.h"
 #include "sinew/solver/sweep_state.h"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ struct SolverOptions {
     int threads = 0;         ///< threads of a step; 0: the number of cores. Results do not depend on the number
     Simd simd = best_simd(); ///< instruction set of the kernels. Results do not depend on it
     ContactFilter contact_filter{};
+    ProgramThreads program_threads{}; ///< in place of those for every world (set_program_threads)
 
     /// Threads that a step may use: one while a filter is asked.
     int threads_wanted() const { return contact_filter ? 1 : threads; }

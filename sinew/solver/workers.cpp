@@ -7,6 +7,7 @@
 
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace sinew {
@@ -46,6 +47,12 @@ class Pool {
 
 ProgramThreads& program_threads() {
     static ProgramThreads threads;
+    return threads;
+}
+
+/// Those of the step that the calling thread takes.
+ProgramThreads& threads_of_steps() {
+    static thread_local ProgramThreads threads;
     return threads;
 }
 
@@ -93,8 +100,15 @@ void set_program_threads(const ProgramThreads& threads) {
     program_threads() = threads;
 }
 
+ThreadsOfSteps::ThreadsOfSteps(const ProgramThreads& threads) : before_(std::exchange(threads_of_steps(), threads)) {}
+
+ThreadsOfSteps::~ThreadsOfSteps() {
+    threads_of_steps() = before_;
+}
+
 void Workers::share_out(const SharedWork& work) {
-    if (program_threads().run) return run_on(program_threads(), work);
+    const auto& own = threads_of_steps().run ? threads_of_steps() : program_threads();
+    if (own.run) return run_on(own, work);
     static Pool pool;
     if (!pool.run(work))
         for (int part = 0; part < work.parts; ++part) work.call(work.context, part);

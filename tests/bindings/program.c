@@ -406,6 +406,30 @@ static void tasks_are_enqueued_and_finished(void) {
     CHECK(hash_of_a_cloth(1) == alone && enqueued == before);
 }
 
+/* A task system of one world alone, not of its copy: two worlds with one each, and a third with the library's. */
+static void worlds_have_their_own_tasks(void) {
+    int shared = 0, enqueued = 0;
+    const sinew_world worlds[] = {world_of_a_cloth(4), world_of_a_cloth(4), world_of_a_cloth(1)};
+    sinew_world copy;
+    uint64_t hashes[4];
+    finished_count = 0;
+    CHECK(sinew_world_set_parallel(worlds[0], one_after_the_other, &shared) == SINEW_OK);
+    CHECK(sinew_world_set_task_system(worlds[1], enqueue, NULL, &enqueued) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_set_task_system(worlds[1], enqueue, finish, &enqueued) == SINEW_OK);
+    CHECK(sinew_world_step(worlds[0], 2) == SINEW_OK && shared > 0 && enqueued == 0);
+    const int before = shared;
+    CHECK(sinew_world_copy(worlds[0], &copy) == SINEW_OK && sinew_world_step(copy, 1) == SINEW_OK);
+    CHECK(sinew_world_step(worlds[1], 2) == SINEW_OK && enqueued > 0 && finished_count == (size_t)enqueued);
+    CHECK(sinew_world_step(worlds[2], 2) == SINEW_OK && shared == before);
+    for (int i = 0; i < 3; ++i) CHECK(sinew_world_state_hash(worlds[i], &hashes[i]) == SINEW_OK);
+    CHECK(hashes[0] == hashes[1] && hashes[0] == hashes[2]);
+    CHECK(sinew_world_set_parallel(worlds[0], NULL, NULL) == SINEW_OK && sinew_world_step(worlds[0], 1) == SINEW_OK);
+    CHECK(shared == before && sinew_world_state_hash(copy, &hashes[3]) == SINEW_OK);
+    CHECK(sinew_world_state_hash(worlds[0], &hashes[0]) == SINEW_OK && hashes[0] == hashes[3]);
+    for (int i = 0; i < 3; ++i) CHECK(sinew_world_close(worlds[i]) == SINEW_OK);
+    CHECK(sinew_world_close(copy) == SINEW_OK);
+}
+
 /* The instruction set is a simulation's own, and changes no bit. */
 static void instruction_sets_agree(void) {
     const char* const names[] = {"one", "sse2", "neon", "avx2", "avx512"};
@@ -889,6 +913,7 @@ int main(void) {
     threads_leave_the_player_alone();
     hooks_are_called();
     tasks_are_enqueued_and_finished();
+    worlds_have_their_own_tasks();
     instruction_sets_agree();
     memory_is_the_callers();
     figures_are_steered();

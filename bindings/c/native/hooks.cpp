@@ -14,26 +14,21 @@ using namespace sinew::c;
 
 namespace {
 
-/// Tasks of the caller, of whose handles each step needs as many as there are threads.
-struct TaskSystem {
-    sinew_enqueue enqueue = nullptr;
-    sinew_finish finish = nullptr;
-    void* context = nullptr;
-} tasks;
-
-/// The caller's function that runs tasks.
-struct Parallel {
-    sinew_parallel run = nullptr;
-    void* context = nullptr;
-} parallel_of_caller;
-
-/// Exceptions of the caller's end here, before the engine, which knows none.
-void run_parallel(void*, void (*task)(void*, std::uint32_t), void* task_context, std::uint32_t count) noexcept {
-    parallel_of_caller.run(parallel_of_caller.context, task, task_context, count);
+Tasks& tasks_of_program() {
+    static Tasks tasks;
+    return tasks;
 }
 
-void run_tasks(void*, void (*task)(void*, std::uint32_t), void* task_context, std::uint32_t count) noexcept {
+/// Exceptions of the caller's end here, before the engine, which knows none.
+void run_parallel(void* own, void (*task)(void*, std::uint32_t), void* task_context, std::uint32_t count) noexcept {
+    const auto& tasks = *static_cast<const Tasks*>(own);
+    tasks.parallel(tasks.context, task, task_context, count);
+}
+
+/// A step needs as many handles as there are threads.
+void run_tasks(void* own, void (*task)(void*, std::uint32_t), void* task_context, std::uint32_t count) noexcept {
     constexpr std::uint32_t at_once = 64;
+    const auto& tasks = *static_cast<const Tasks*>(own);
     std::array<void*, at_once> handles{};
     for (std::uint32_t first = 0; first < count; first += at_once) {
         const auto end = std::min(count, first + at_once);
@@ -42,6 +37,29 @@ void run_tasks(void*, void (*task)(void*, std::uint32_t), void* task_context, st
         for (auto i = first + 1; i < end; ++i)
             if (auto* handle = handles[i - first]) tasks.finish(tasks.context, handle);
     }
+}
+
+/// Threads of the engine's that are the caller's; `tasks` outlive them.
+ProgramThreads threads_of(Tasks& tasks) {
+    if (tasks.parallel) return {run_parallel, &tasks};
+    if (tasks.enqueue) return {run_tasks, &tasks};
+    return {};
+}
+
+void set_tasks(const Tasks& tasks) {
+    tasks_of_program() = tasks;
+    set_program_threads(threads_of(tasks_of_program()));
+}
+
+sinew_status set_tasks(sinew_world simulation, const Tasks& tasks) {
+    return change_own(simulation, [&](Session& session) {
+        auto& known = *simulations().find(simulation.id);
+        known.tasks = tasks;
+        auto options = session.options();
+        options.program_threads = threads_of(known.tasks);
+        session.set_options(options);
+        return SINEW_OK;
+    });
 }
 
 } // namespace
@@ -57,15 +75,23 @@ void sinew_set_assertion_handler(sinew_assertion_handler handler) {
 }
 
 void sinew_set_parallel(sinew_parallel parallel, void* context) {
-    parallel_of_caller = {parallel, context};
-    set_program_threads({parallel ? run_parallel : nullptr, nullptr});
+    set_tasks({parallel, nullptr, nullptr, context});
 }
 
 sinew_status sinew_set_task_system(sinew_enqueue enqueue, sinew_finish finish, void* context) {
     if (!enqueue != !finish) return null_argument();
-    tasks = {enqueue, finish, context};
-    set_program_threads({enqueue ? run_tasks : nullptr, nullptr});
+    set_tasks({nullptr, enqueue, finish, context});
     return SINEW_OK;
+}
+
+sinew_status sinew_world_set_parallel(sinew_world simulation, sinew_parallel parallel, void* context) {
+    return set_tasks(simulation, {parallel, nullptr, nullptr, context});
+}
+
+sinew_status sinew_world_set_task_system(sinew_world simulation, sinew_enqueue enqueue, sinew_finish finish,
+                                         void* context) {
+    if (!enqueue != !finish) return null_argument();
+    return set_tasks(simulation, {nullptr, enqueue, finish, context});
 }
 
 sinew_status sinew_world_set_simd(sinew_world simulation, const char* name) {

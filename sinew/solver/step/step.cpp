@@ -70,6 +70,7 @@ template <int D, class Real> void Solver<D, Real>::step(World<D, Real>& world, R
     if (!(dt >= limit::shortest_step<Real>)) return;
     dt = min(dt, limit::step<Real>);
     follow(world);
+    const ThreadsOfSteps threads(options.program_threads);
     detail::Laps laps(reports.times.get());
     begin(world, *this, dt);
     if (world.settings.mode == Mode::classic)
