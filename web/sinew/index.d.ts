@@ -238,6 +238,8 @@ export type ParticleId = bigint;
 export type ConstraintId = bigint;
 export type PinId = bigint;
 export type ColliderId = bigint;
+export type ForceId = bigint;
+export type GrabId = bigint;
 
 export interface Report {
     seconds: number;            // simulated
@@ -309,21 +311,46 @@ export interface FigureSpec {
 }
 
 export interface ColliderSpec {
-    /** Polygons and terrains are of 2D; polygons are convex, corners counter-clockwise; a terrain is solid on its right-hand side. */
-    shape: "half_space" | "sphere" | "capsule" | "box" | "polygon" | "terrain";
+    /** Polygons and terrains are of 2D; polygons are convex, corners counter-clockwise; a terrain is solid on its right-hand side.
+     *  Meshes and height fields are of 3D. */
+    shape: "half_space" | "sphere" | "capsule" | "box" | "polygon" | "terrain" | "mesh" | "height_field";
     name?: string;
     position?: Point;
     turn?: number;              // radians
     axis?: Point;               // 3D: of the turn; z if left out
     half?: Point;               // box: half of its edges; capsule: half of its segment first
     radius?: number;            // sphere, capsule
-    points?: Point[];           // polygon, terrain
+    points?: Point[];           // polygon, terrain, mesh
+    isClosed?: boolean;         // terrain: an edge from the last point to the first
+    triangles?: [number, number, number][]; // mesh: numbers of points, counter-clockwise seen from the free side
+    heights?: number[][];       // height field: rows follow z, numbers x
+    spacing?: number;           // height field: side of a cell
     isSensor?: boolean;         // touched without a push
     bounce?: number;            // share of the approach speed given back, 0 to 1
     friction?: number;          // Coulomb's coefficient
     layers?: number;            // bits; the first if left out
     mask?: number;              // layers that touch it; all if left out
     oneWay?: Point;             // direction of the normals that are solid, in its own frame
+    surfaceVelocity?: Point;    // of a belt: the surface runs along itself, in its own frame
+}
+
+/** A force field; fields of other kinds are not read. Units and ranges are those of the scene format. */
+export interface ForceSpec {
+    kind: "gravity" | "drag" | "wind" | "attractor" | "random_push";
+    acceleration?: Point;       // gravity
+    velocity?: Point;           // wind: of the air
+    gust?: Point;               // wind: largest change of the velocity in a gust
+    center?: Point;             // attractor
+    low?: Point;                // random push: force
+    high?: Point;
+    strength?: number;          // drag, wind: force / velocity; attractor: acceleration times length^2
+    density?: number;           // wind: of the air
+    dragCoefficient?: number;   // wind with a density; 1.2 if left out
+    gustPeriod?: number;        // wind; 1 second if left out
+    gustSize?: number;          // wind: length of a gust
+    softness?: number;          // attractor: below this distance like a spring; 0.1 m if left out
+    seed?: bigint | number;     // wind, random push
+    figure?: string;            // attractor: the only figure pulled
 }
 
 export interface RayHit {
@@ -425,8 +452,18 @@ export interface Simulation {
     addCollider(collider: ColliderSpec): ColliderId;
     removeCollider(collider: ColliderId | string): void;
 
+    addForce(force: ForceSpec): ForceId;
+    /** Sets what is given of a force, also of one of the scene. */
+    setForce(force: ForceId, values: Partial<ForceSpec>): void;
+    force(force: ForceId): ForceSpec;
+    removeForce(force: ForceId): void;
+    /** The world's gravity, then the forces of the scene, then others. */
+    forces(): ForceId[];
+
     /** Builds a prefab; returns the figure's index. Throws SceneErrors for a parameter that is unknown or out of its range. */
     addFigure(prefab: string, figure?: FigureSpec): number;
+    /** New values of a figure that was added; it goes on as it moves. Throws for one that would change its form. */
+    setFigure(figure: number | string, values: Record<string, unknown>): void;
     /** Removes a figure with its particles. */
     removeFigure(figure: number | string): void;
     /** Without controls the scene's events steer again. */
@@ -448,10 +485,16 @@ export interface Simulation {
     movePin(pin: PinId, target: Point): void;
     unpin(pin: PinId): void;
 
-    /** Grabs what is nearest within `radius` (2D), or a particle; false if nothing movable is there. */
+    /** Grabs what is nearest within `radius`, or a particle; false if nothing movable is there. */
     grab(at: Point | ParticleId | string, radius?: number): boolean;
     drag(to: Point): void;
     letGo(): void;
+    /** Movable particle nearest to a way, as from the eye through a pixel; `share` is where on the way. */
+    pick(from: Point, to: Point, radius?: number): { particle: ParticleId; share: number } | null;
+    /** A grab beside all others: of a second finger. */
+    addGrab(particle: ParticleId | string): GrabId;
+    moveGrab(grab: GrabId, to: Point): void;
+    removeGrab(grab: GrabId): void;
     /** Position of the pointer, for pins that follow it. */
     pointAt(at: Point): void;
     /** Cuts every distance that crosses the line; returns their number. */

@@ -4,7 +4,7 @@ import { point as pointLayout } from "./layout.js";
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-/** Bytes for the results of one call: the largest struct that is one has 128. */
+/** Bytes for the results of one call: the largest struct that is one has 216. */
 const resultBytes = 256;
 
 export class Memory {
@@ -86,9 +86,10 @@ export class Memory {
         return decoder.decode(bytes.slice(at, bytes.indexOf(0, at))); // a copy: shared memory cannot be decoded
     }
 
-    /** The text whose address is at an address. */
+    /** The text whose address is at an address; a null pointer is an empty one. */
     textFrom(at) {
-        return this.textAt(this.uint(at));
+        const address = this.uint(at);
+        return address === 0 ? "" : this.textAt(address);
     }
 
     /** Calls `work` with an arena, whose memory is freed afterwards. */

@@ -1,8 +1,8 @@
 import { valueText } from "./engine.js";
-import { constraintSpec, contact, controls as controlsLayout, footing, particleSpec, point as pointLayout, rayHit, region } from "./layout.js";
+import { constraintSpec, contact, controls as controlsLayout, footing, forceSpec as forceLayout, particleSpec, point as pointLayout, rayHit, region } from "./layout.js";
 import { Picture } from "./picture.js";
 import { Readable } from "./readable.js";
-import { colliderSpec, figureSpec } from "./specs.js";
+import { colliderSpec, figureSpec, forceKinds, forceSpec, parameterList } from "./specs.js";
 
 /** Numbers of sinew_phase. */
 const phases = ["begin", "persist", "end"];
@@ -49,10 +49,13 @@ export class Simulation extends Readable {
         });
     }
 
-    /** Calls a query that finds something or nothing, with one point; null for nothing. */
+    /** Calls a query that finds something or nothing, with a point or more; null for nothing. */
     found(name, point, given, read) {
         const { data } = this.engine;
-        return data.within((arena) => this.engine.finds(name, this.handle, arena.point(point), ...given) ? read(data.result) : null);
+        return data.within((arena) => {
+            const values = [point, ...given].map((value) => (Array.isArray(value) ? arena.point(value) : value));
+            return this.engine.finds(name, this.handle, ...values) ? read(data.result) : null;
+        });
     }
 
     nearestParticle(point, reach) {
@@ -111,10 +114,41 @@ export class Simulation extends Readable {
 
     removeCollider(collider) { this.call("sinew_world_remove_collider", this.collider(collider)); }
 
+    // --- forces ---------------------------------------------------------------------------------------------------
+
+    addForce(force) {
+        return this.engine.data.within((arena) => this.engine.data.id(this.ask("sinew_world_add_force", forceSpec(arena, force))));
+    }
+
+    setForce(force, values) {
+        this.engine.data.within((arena) => this.call("sinew_world_set_force", force, forceSpec(arena, { ...this.force(force), ...values })));
+    }
+
+    force(force) {
+        const { kind, ...values } = this.engine.data.read(forceLayout, this.ask("sinew_world_get_force", force));
+        return { kind: forceKinds[kind], ...values };
+    }
+
+    removeForce(force) { this.call("sinew_world_remove_force", force); }
+
+    forces() {
+        const { data } = this.engine, ids = [];
+        while (this.engine.finds("sinew_world_force_at", this.handle, ids.length, data.result)) ids.push(data.id(data.result));
+        return ids;
+    }
+
     // --- edits ----------------------------------------------------------------------------------------------------
 
     addFigure(prefab, figure = {}) {
         return this.engine.data.within((arena) => this.engine.data.uint(this.ask("sinew_world_add_figure", figureSpec(arena, prefab, figure))));
+    }
+
+    setFigure(figure, values) {
+        const index = this.figure(figure);
+        this.engine.data.within((arena) => {
+            const { parameters, parameterCount } = parameterList(arena, values);
+            this.call("sinew_world_set_figure", index, parameters, parameterCount);
+        });
     }
 
     removeFigure(figure) { this.call("sinew_world_remove_figure", this.figure(figure)); }
@@ -170,6 +204,15 @@ export class Simulation extends Readable {
         if (!Array.isArray(at)) return this.engine.finds("sinew_world_grab_particle", this.handle, this.particle(at));
         return this.engine.data.within((arena) => this.engine.finds("sinew_world_grab", this.handle, arena.point(at), radius));
     }
+
+    pick(from, to, radius = 0) {
+        const { data } = this.engine, at = data.result;
+        return this.found("sinew_world_pick", from, [to, radius, at, at + 8], () => ({ particle: data.id(at), share: data.double(at + 8) }));
+    }
+
+    addGrab(particle) { return this.engine.data.id(this.ask("sinew_world_add_grab", this.particle(particle))); }
+    moveGrab(grab, to) { this.at("sinew_world_move_grab", grab, to); }
+    removeGrab(grab) { this.call("sinew_world_remove_grab", grab); }
 
     drag(to) { this.engine.data.within((arena) => this.call("sinew_world_drag", arena.point(to))); }
     letGo() { this.call("sinew_world_let_go"); }

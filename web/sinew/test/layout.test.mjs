@@ -5,7 +5,7 @@ import { fileURLToPath } from "node:url";
 import { test } from "node:test";
 import * as layout from "../layout.js";
 import { Memory } from "../memory.js";
-import { colliderSpec, figureSpec } from "../specs.js";
+import { colliderSpec, figureSpec, forceSpec } from "../specs.js";
 
 /** A memory without a module: what is freed is lost. */
 function memory() {
@@ -41,6 +41,14 @@ test("texts, points and lists are where a struct says", () => {
         const parameters = [0, 1].map((i) => data.read(layout.parameter, figure.parameters + i * layout.parameter.size));
         assert.deepEqual(parameters.map(({ name, number }) => [name, number]), [["length", 3], ["contact.figures", 0]]);
         assert.equal(parameters[1].word, "true");
+        const surface = data.read(layout.colliderSpec, colliderSpec(arena, { shape: "mesh", points: [[0, 0, 0], [0, 0, 1], [1, 0, 0]], triangles: [[0, 1, 2]] }));
+        assert.deepEqual([surface.shape, surface.triangleCount, data.uint(surface.triangles + 8)], [6, 1, 2]);
+        const field = data.read(layout.colliderSpec, colliderSpec(arena, { shape: "height_field", heights: [[0, 1, 2], [3, 4, 5]], spacing: 2 }));
+        assert.deepEqual([field.columns, field.rows, field.spacing, data.double(field.heights + 24)], [3, 2, 2, 3]);
+        assert.throws(() => colliderSpec(arena, { shape: "height_field", heights: [[0], [1, 2]] }), RangeError);
+        const force = data.read(layout.forceSpec, forceSpec(arena, { kind: "wind", velocity: [1, 2], seed: -1, figure: "ö" }));
+        assert.deepEqual([force.kind, force.velocity, force.seed, force.figure, force.strength], [2, [1, 2, 0], 2n ** 64n - 1n, "ö", 0]);
+        assert.equal(data.read(layout.forceSpec, forceSpec(arena, { kind: "drag" })).figure, "");
         const collider = data.read(layout.colliderSpec, colliderSpec(arena, { shape: "polygon", points: [[0, 0], [1, 0], [0, 1]], oneWay: [0, 1], mask: 5 }));
         assert.deepEqual([collider.pointCount, collider.mask, collider.oneWay, data.value(layout.point, collider.points + layout.point.size)], [3, 5, [0, 1, 0], [1, 0, 0]]);
     });

@@ -108,6 +108,34 @@ test("a hand takes hold, carries and lets go", () => {
     assert.ok(simulation.stateOf("pendulum/bob").position[1] < 0);
 });
 
+test("several grabs hold at once, of what is picked", () => {
+    const simulation = engine.open({ sinew: 1, dimension: 3, figures: ["a", "b"].map((name, i) => ({ name, particles: { p: { at: [i, 0, 2] } } })) });
+    const { particle, share } = simulation.pick([1, 0, 0], [1, 0, 10], 0.1);
+    assert.deepEqual([particle, share], [simulation.particle("b/p"), 0.2]);
+    assert.equal(simulation.pick([1, 0, 0], [1, 0, 1], 0.1), null);
+    const grabs = [simulation.addGrab("a/p"), simulation.addGrab(particle)];
+    for (let step = 1; step <= 60; ++step) {
+        grabs.forEach((grab, i) => simulation.moveGrab(grab, [i, step / 60, 2]));
+        simulation.step();
+    }
+    assert.ok(["a/p", "b/p"].every((name) => Math.abs(simulation.stateOf(name).position[1] - 1) < 0.01));
+    grabs.forEach((grab) => simulation.removeGrab(grab));
+    assert.throws(() => simulation.moveGrab(grabs[0], [0, 0, 0]));
+});
+
+test("forces come, change and go", () => {
+    const simulation = engine.open(pendulum), [gravity] = simulation.forces();
+    assert.equal(simulation.force(gravity).kind, "gravity");
+    const wind = simulation.addForce({ kind: "wind", velocity: [3, 0], strength: 0.1, gust: [1, 0], seed: 5 });
+    simulation.setForce(wind, { strength: 0.5 });
+    const { kind, velocity, strength, seed } = simulation.force(wind);
+    assert.deepEqual([kind, velocity, strength, seed], ["wind", [3, 0, 0], 0.5, 5n]);
+    assert.deepEqual(simulation.forces(), [gravity, wind]);
+    assert.throws(() => simulation.setForce(wind, { strength: -1 }), /strength is from 0/);
+    simulation.removeForce(wind);
+    assert.throws(() => simulation.force(wind));
+});
+
 test("a cut parts and is told", () => {
     const simulation = engine.open(pendulum);
     assert.equal(simulation.cut([0.5, -1], [0.5, 1]), 1);
