@@ -1,5 +1,7 @@
 #include "player/grow.h"
 
+#include "sinew/constraint/kind_table.h"
+
 #include <algorithm>
 #include <cstdlib>
 
