@@ -60,4 +60,17 @@ void put_beside(std::span<const Labelled> parts, Picture& whole) {
     }
 }
 
+void join(std::span<const Picture> parts, Picture& whole) {
+    whole.clear();
+    whole.images.clear();
+    whole.width = 0, whole.height = parts.front().height;
+    whole.background = parts.front().background;
+    for (const auto& part : parts) {
+        const Vec2<float> corner{{float(whole.width), 0}};
+        whole.add_pane(corner, corner + Vec2<float>{{float(part.width), float(part.height)}}, part.background);
+        append(part, corner, whole);
+        whole.width += part.width;
+    }
+}
+
 } // namespace sinew::canvas

@@ -25,4 +25,7 @@ BesideSize size_beside(std::size_t count, int width, int height);
 /// list, which every painter and every file format accepts.
 void put_beside(std::span<const Labelled> parts, Picture& whole);
 
+/// Fills `whole` with pictures of one height from left to right, each clipped, without a gap or a label.
+void join(std::span<const Picture> parts, Picture& whole);
+
 } // namespace sinew::canvas

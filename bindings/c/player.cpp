@@ -5,12 +5,14 @@
 #include "sinew/session/pick.h"
 
 #include "bindings/c/native/sized.h"
+#include "canvas/beside.h"
 #include "player/joints.h"
 #include "player/scene_edit.h"
 #include "player/tool.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sinew::c {
 namespace {
@@ -262,7 +264,11 @@ sinew_status sinew_player_advance(sinew_player player, double seconds) {
 sinew_status sinew_player_draw(sinew_player player, sinew_picture* picture) {
     if (const auto status = can_fill(picture)) return status;
     return with(player, [&](Player& known) {
-        known.play->draw(known.drawn.picture);
+        known.play->draw_panes(known.panes);
+        if (known.panes.size() == 1)
+            std::swap(known.panes[0], known.drawn.picture);
+        else
+            canvas::join(known.panes, known.drawn.picture);
         known.drawn.hand_out(*picture);
     });
 }

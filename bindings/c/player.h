@@ -34,6 +34,7 @@ struct Player {
     std::unique_ptr<play::Touch> touch;
     std::vector<std::uint32_t> simulations{}; ///< handles by pane
     Drawn drawn{};
+    std::vector<Picture> panes{}; ///< of a split view, as drawn last
     std::deque<std::string> events{};
     std::string event{};
     std::array<std::string, 7> texts{}; ///< of the last state handed out
