@@ -2,7 +2,6 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { brotliCompressSync, constants } from "node:zlib";
 import { SinewError, loadImporter } from "../index.js";
 import { engine } from "./engine_for_tests.mjs";
 
@@ -54,9 +53,4 @@ test("what cannot be read is told with its place", async () => {
     for (const [name, bytes, options, part] of refused)
         await assert.rejects(() => importer.read(name, bytes, options), (error) => error instanceof SinewError && error.message.includes(part), `${name}: ${part}`);
     await importer.read("box.json", await sample("points/box.json")); // the next file is read by another instance
-});
-
-test("the module does not grow", () => {
-    const { length } = brotliCompressSync(moduleBytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } });
-    assert.ok(length <= 169 * 1024, `${length} bytes`);
 });

@@ -7,7 +7,6 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { after, test } from "node:test";
 import { brotliCompressSync, constants } from "node:zlib";
-import { moduleBytes } from "./engine_for_tests.mjs";
 
 const packageFolder = fileURLToPath(new URL("..", import.meta.url));
 const folder = await mkdtemp(path.join(tmpdir(), "sinew-pack-"));
@@ -47,8 +46,13 @@ test("every example of the README that prints says true", async () => {
     }
 });
 
-// The goal is 250 KB; docs/measured/web.md tells what weighs how much. The bound is what was reached once, and 1 %.
-test("the module does not grow", () => {
-    const { length } = brotliCompressSync(moduleBytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } });
-    assert.ok(length <= 692 * 1024, `${length} bytes`);
+// The goal of 250 KB is not met: the page tells what weighs how much. A module that gains or loses 3 % changes it there, too.
+test("modules weigh what docs/measured/web.md says", async () => {
+    const page = await readFile(new URL("../../../docs/measured/web.md", import.meta.url), "utf8");
+    const rows = [...page.matchAll(/^\| `(sinew[\w-]*\.wasm)` \| [\d,]+ \| ([\d,]+) \|/gm)].map(([, name, bytes]) => [name, Number(bytes.replaceAll(",", ""))]);
+    assert.deepEqual(rows.map(([name]) => name), ["sinew.wasm", "sinew-import.wasm"]);
+    for (const [name, told] of rows) {
+        const { length } = brotliCompressSync(await readFile(path.join(packageFolder, name)), { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } });
+        assert.ok(Math.abs(length - told) <= 0.03 * told, `${name} weighs ${length} bytes, ${told} by the page`);
+    }
 });
