@@ -1,5 +1,5 @@
 import { SceneErrors, type CatalogueScene, type Engine, type SceneError } from "../sinew/index.js";
-import { readAddress, type Address } from "../common/address.js";
+import { readAddress, writeAddress, type Address } from "../common/address.js";
 import { announce, byId, debounced, el, words } from "../common/dom.js";
 import { loadScenes, provide, sceneText, type Assets } from "../common/engine.js";
 import { Stage } from "../common/stage.js";
@@ -73,8 +73,7 @@ export class App {
         try {
             const address = await readAddress(fragment);
             if (address.scene === undefined && address.text === undefined) return await this.showGallery();
-            await this.open(address);
-            this.shownAddress = fragment;
+            await this.open(address, () => location.hash === fragment);
         } catch (error) {
             if (!this.opened) await this.showGallery();
             announce(messageOf(error));
@@ -105,12 +104,15 @@ export class App {
         return this.gallery;
     }
 
-    private async open({ scene, text, name, pairs }: Address): Promise<void> {
+    /** `isWanted` is false once the reader has gone elsewhere while the scene was loaded. */
+    private async open({ scene, text, name, pairs }: Address, isWanted: () => boolean): Promise<void> {
         const own = text ?? await sceneText(scene!);
         if (own === undefined) throw new Error(`No scene is called "${scene}".`);
         const isSplit = pairs.some(isBoth), overrides = pairs.filter((pair) => !isBoth(pair));
         await provide(this, own, overrides);
+        if (!isWanted()) return;
         this.show({ name: text === undefined ? scene! : name ?? unnamed, text: own, isOfCatalogue: text === undefined, pairs: overrides, ...aboutOf(own) });
+        this.shownAddress = location.hash;
         this.split(isSplit);
     }
 
@@ -118,8 +120,11 @@ export class App {
     async openText(text: string, name: string): Promise<void> {
         try {
             await provide(this, text);
-            this.show({ name: name.replace(/\.json$/i, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) });
-            await this.writeAddress();
+            const opened = { name: name.replace(/\.json$/i, ""), text, isOfCatalogue: false, pairs: [], ...aboutOf(text) };
+            const address = await writeAddress({ text, name: opened.name, pairs: [] });
+            this.show(opened);
+            this.shownAddress = address;
+            history.pushState(null, "", address);
         } catch (error) {
             announce(messageOf(error));
         }
@@ -248,11 +253,11 @@ export class App {
         return addressOf(this.engine, this.stage!, this.opened!, this.panel!.text.text);
     }
 
-    /** Keeps the address that of the scene as it is. */
+    /** Keeps the address that of the scene as it is, unless the reader goes elsewhere meanwhile. */
     private async writeAddress(): Promise<void> {
         if (byId("player").hidden || !this.opened) return;
-        const address = await this.address();
-        if (address === this.shownAddress) return;
+        const from = location.href, address = await this.address();
+        if (address === this.shownAddress || location.href !== from) return;
         this.shownAddress = address;
         history.replaceState(null, "", address);
     }

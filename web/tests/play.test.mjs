@@ -125,6 +125,55 @@ test("a new scene and a file open from the gallery", { timeout: 60_000 }, () =>
         await page.waitForFunction(() => window.sinew.opened.name === "my_room");
     }));
 
+/** Runs in the page before its scripts: an address is written later than a hand is. */
+function slowAddresses() {
+    const own = globalThis.Response.prototype.arrayBuffer;
+    globalThis.Response.prototype.arrayBuffer = async function () {
+        const bytes = await own.call(this);
+        await new Promise((resolve) => setTimeout(resolve, 500));
+        return bytes;
+    };
+}
+
+test("who leaves a new scene at once is in the gallery, and Back leads from a new scene to it", { timeout: 60_000 }, () =>
+    site.on({ ...desktop, script: slowAddresses }, "", async (page) => {
+        await page.waitForFunction(() => window.sinew?.scenes);
+        const inGallery = () => page.evaluate(() => !document.getElementById("gallery").hidden && document.getElementById("player").hidden);
+        await page.getByRole("button", { name: "new scene" }).click();
+        await playing(page);
+        assert.match(await page.evaluate(() => location.hash), /^#z=/);
+        await page.goBack();
+        await page.locator("#gallery").waitFor();
+        await page.getByRole("button", { name: "new scene" }).click();
+        await playing(page);
+        await page.evaluate(() => (window.sinew.stage.player.setTool("pin"), window.sinew.stage.player.do("mode"), window.sinew.changed()));
+        await page.waitForTimeout(500); // the address of the changed scene is being written
+        await page.getByRole("link", { name: "scenes", exact: true }).click();
+        await page.waitForTimeout(1500);
+        assert.ok(await inGallery());
+        assert.equal(await page.evaluate(() => location.hash), "");
+    }));
+
+/** Runs in the page before its scripts: the text of one scene is long on its way. */
+function slowBoxes() {
+    const own = window.fetch;
+    window.fetch = async (address, ...more) => {
+        if (/\/boxes-[^/]*\.json$/.test(address)) await new Promise((resolve) => setTimeout(resolve, 1000));
+        return own(address, ...more);
+    };
+}
+
+test("of two scenes asked for one after the other, the later stays", { timeout: 60_000 }, () =>
+    site.on({ ...desktop, script: slowBoxes }, "#scene=rope", async (page) => {
+        await playing(page);
+        await page.evaluate(() => (location.hash = "#scene=boxes"));
+        await page.waitForTimeout(100);
+        await page.evaluate(() => (location.hash = "#scene=swing"));
+        await page.waitForFunction(() => window.sinew.opened.name === "swing");
+        await page.waitForTimeout(1500);
+        assert.equal(await page.evaluate(() => window.sinew.opened.name), "swing");
+    }));
+
 test("the name of a file is kept, by its address too", { timeout: 60_000 }, () =>
     site.on(desktop, "#scene=rope", async (page) => {
         await playing(page);
