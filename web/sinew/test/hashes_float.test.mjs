@@ -1,0 +1,3 @@
+import { compare } from "./hashes.mjs";
+
+compare("float");
