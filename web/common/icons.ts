@@ -37,6 +37,12 @@ const drawings: Record<string, string> = {
     theme: ring(0, 0, 0.75) + fill("M0-.75A.75 .75 0 0 1 0 .75z"),
     help: stroke("M-.42-.45A.45 .45 0 1 1 .2-.02Q0 .1 0 .35") + dot(0, 0.75, 0.13),
     lessons: stroke("M0-.6C-.3-.85-.7-.85-.95-.75V.7C-.7 .6-.3 .6 0 .8C.3 .6 .7 .6 .95 .7V-.75C.7-.85 .3-.85 0-.6V.8"),
+    steer_left: fill("M-.7 0 .5-.75V.75z"),
+    steer_right: fill("M.7 0-.5-.75V.75z"),
+    steer_up: fill("M0-.7.75.5H-.75z"),
+    steer_down: fill("M0 .7.75-.5H-.75z"),
+    jump: stroke("M-.8 .85H.8M0 .5V-.8M-.5-.3 0-.8 .5-.3"),
+    hold: stroke("M.4-.95V.4A.5 .5 0 0 1-.6 .4V.05M-.9 .35-.6 .05-.3 .35"),
     close: stroke("M-.65-.65 .65 .65M.65-.65-.65 .65"),
     home: stroke("M-.95 0C-.5-.85 .5-.85 .95 0C.5 .85-.5 .85-.95 0z") + dot(0, 0, 0.3),
 };

@@ -15,6 +15,7 @@ import { isForeign, mainOf, readForeign } from "./imports.js";
 import { NotesList } from "./notes.js";
 import { Panel } from "./panel.js";
 import { addressOf, isBoth, unnamed } from "./share.js";
+import { SteeringPad } from "./steering.js";
 import { TimeBar } from "./timebar.js";
 import { Toolbar } from "./toolbar.js";
 
@@ -38,6 +39,7 @@ export class App {
     private readonly help: HTMLDialogElement;
     private readonly films = new Films();
     readonly notes = new NotesList();
+    private readonly pad = new SteeringPad(this);
     private toolbar: Toolbar | null = null;
     private timebar: TimeBar | null = null;
     private panel: Panel | null = null;
@@ -180,6 +182,7 @@ export class App {
         const parameters = this.stage!.player.parameters();
         this.mode = parameters.find(({ path }) => path === "solver.mode")?.value === "classic" ? "classic" : "physical";
         this.panel!.showParameters(parameters);
+        this.pad.show(this.stage!.player);
     }
 
     /** Shows both modes beside each other, or one. */

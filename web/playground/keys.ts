@@ -1,5 +1,6 @@
 import { announce, byId } from "../common/dom.js";
 import type { App } from "./app.js";
+import { steerByArrows } from "./steering.js";
 
 const renamed: Record<string, string> = { " ": "space", ArrowLeft: "left", ArrowRight: "right", ArrowUp: "up", ArrowDown: "down", Escape: "escape", Delete: "delete", Backspace: "delete", Home: "home" };
 
@@ -26,7 +27,7 @@ export function connectKeys(app: App, help: HTMLDialogElement): void {
     const tools = new Map(app.engine.tools().map(({ key, name }) => [key, name]));
     const overlays = app.engine.overlays().map(({ name }) => name);
 
-    steerByArrows(app, help);
+    steerByArrows(app, help, nameOf);
     addEventListener("keydown", (event) => {
         const player = app.stage?.player;
         if (!document.body.classList.contains("playing") || !player || help.open || isTyping(event)) return;
@@ -53,28 +54,6 @@ export function connectKeys(app: App, help: HTMLDialogElement): void {
     });
     addEventListener("error", (event) => announce(event.message));
     addEventListener("unhandledrejection", (event) => announce(String(event.reason)));
-}
-
-/** Arrows steer characters and cars, where a scene has such, in place of the keyboard's pointer; in bars they move the focus. */
-function steerByArrows(app: App, help: HTMLDialogElement): void {
-    const held = new Set<string>();
-    addEventListener("keydown", (event) => {
-        const { target } = event, player = app.stage?.player;
-        if (!event.key.startsWith("Arrow") || event.ctrlKey || event.metaKey || event.altKey || help.open) return;
-        if (!document.body.classList.contains("playing") || !player || target !== document.body && target !== byId("stage")) return;
-        const name = nameOf(event).replace("shift+", "");
-        if (!held.has(name) && !/"prefab"\s*:\s*"(character|car)"/.test(player.sceneText())) return;
-        held.add(name);
-        player.key(name);
-        app.stage?.wake();
-        event.preventDefault();
-        event.stopPropagation();
-    }, { capture: true });
-    const release = (name: string): void => {
-        if (held.delete(name)) app.stage?.player.key(name, false);
-    };
-    addEventListener("keyup", (event) => release(nameOf(event).replace("shift+", "")));
-    addEventListener("blur", () => [...held].forEach(release)); // a key that is let go elsewhere is not told
 }
 
 function toggled(all: string[], one: string): string[] {

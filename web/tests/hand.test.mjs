@@ -186,3 +186,29 @@ test("arrow keys steer a car and a character, with and without the focus on the 
         assert.ok(await page.evaluate(() => window.sinew.stage.pointer.cross), "elsewhere they move a pointer");
     });
 });
+
+test("a finger steers a car and a character by buttons, which other scenes and other pages lack", { timeout: 90_000 }, async () => {
+    for (const [scene, particle] of [["rally", "car/rear_wheel"], ["platformer", "hero/feet"]])
+        await site.on(phone, `#scene=${scene}`, async (page) => {
+            await playing(page);
+            await page.evaluate(() => window.sinew.stage.player.restart());
+            const client = await page.context().newCDPSession(page);
+            const box = await page.getByRole("button", { name: "left", exact: true }).boundingBox();
+            assert.ok(box.width >= 40 && box.height >= 40 && box.x >= 0, JSON.stringify(box));
+            const [start] = await positionOf(page, particle);
+            await client.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x: box.x + box.width / 2, y: box.y + box.height / 2 }] });
+            await steps(page, 30);
+            const [x] = await positionOf(page, particle);
+            assert.ok(x < start - 0.05, `${scene}: from ${start} to ${x}`);
+            await client.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+            await page.waitForFunction(() => !document.querySelector("#pad button:active"));
+            const last = await page.getByRole("button", { name: "jump or brake" }).boundingBox();
+            assert.ok(last.x + last.width <= phone.viewport.width, JSON.stringify(last));
+            await page.evaluate(() => (location.hash = "#scene=rope"));
+            await page.locator("#pad").waitFor({ state: "hidden" });
+        });
+    await site.on(desktop, "#scene=rally", async (page) => {
+        await playing(page);
+        assert.ok(!(await page.locator("#pad").isVisible()), "a keyboard has arrows");
+    });
+});
