@@ -6,8 +6,8 @@
 
 namespace sinew {
 
-/// Two opposite corners of the box around the world, with a margin for swinging figures, or of the scene's bounds, in
-/// units of length.
+/// Two opposite corners of the box around the figures of a world, with a margin for swinging and the colliders near
+/// them, or of the scene's bounds as far as these are near, in units of length.
 std::array<Point, 2> focus_of(const Scene& scene, const AnyWorld& world);
 
 } // namespace sinew
