@@ -15,7 +15,7 @@ constexpr std::array<const char*, 2> sides = {"classic", "physical"};
 } // namespace
 
 int Play::pane_left(std::size_t number) const {
-    return width_ / int(panes_.size()) * int(number);
+    return width_ * int(number) / int(panes_.size());
 }
 
 void Play::each_pane(const std::function<void()>& act) {
