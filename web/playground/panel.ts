@@ -1,5 +1,5 @@
 import type { Engine, PlayerState, SceneParameter } from "../sinew/index.js";
-import { byId, debounced, el, number, words } from "../common/dom.js";
+import { announce, byId, debounced, el, number, words } from "../common/dom.js";
 import { icon } from "../common/icons.js";
 import type { Stage } from "../common/stage.js";
 import { setTheme, theme } from "../common/theme.js";
@@ -31,6 +31,7 @@ export class Panel {
     private readonly form: ParameterForm;
     private readonly prefab = el("div", { class: "prefab", hidden: true });
     private prefabDimension = 0;
+    private tool = "";
     private readonly joint: HTMLElement;
     private readonly chosen: HTMLElement;
     private readonly overlays = new Map<string, HTMLButtonElement>();
@@ -152,6 +153,14 @@ export class Panel {
         this.joint.hidden = state.tool !== "join";
         this.chosen.hidden = state.tool !== "select";
         if (state.tool === "spawn") this.fillPrefab();
+        if (state.tool !== this.tool) this.pointToChoices(state.tool);
+        this.tool = state.tool;
+    }
+
+    /** Tells where the choices of a tool are, if they are out of sight: the panel is a drawer, or shows another page. */
+    private pointToChoices(tool: string): void {
+        const [choices, hint] = { spawn: [this.prefab, "Press where the figure shall be; the panel has other figures."], join: [this.joint, "Draw from one part to another; the panel has the kinds of joints."] }[tool] ?? [];
+        if (choices instanceof HTMLElement && !choices.checkVisibility({ visibilityProperty: true })) announce(String(hint));
     }
 
     private say(mode: string): void {

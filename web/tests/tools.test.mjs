@@ -202,3 +202,24 @@ test("the spawn tool offers what exists in the scene's dimension, and puts in ea
             }
         }
     }));
+
+test("a tool tells where its choices are if they are out of sight, on a phone and beside another page of the panel", { timeout: 60_000 }, async () => {
+    const told = (page) => page.locator("#message.shown").textContent();
+    await site.on(phone, "", async (page) => {
+        await begin(page);
+        await page.getByRole("radio", { name: /^spawn/ }).tap();
+        assert.match(await told(page), /the panel has other figures/);
+        await page.getByRole("radio", { name: /^join/ }).tap();
+        assert.match(await told(page), /the panel has the kinds of joints/);
+    });
+    await site.on(desktop, "", async (page) => {
+        await begin(page);
+        await tool(page, "spawn");
+        assert.ok(await page.locator("#prefab").isVisible());
+        assert.ok(!(await page.locator("#message.shown").isVisible()), "the choices are in sight");
+        await tool(page, "grab");
+        await page.getByRole("tab", { name: "statistics" }).click();
+        await tool(page, "spawn");
+        assert.match(await told(page), /the panel has other figures/);
+    });
+});
