@@ -237,6 +237,7 @@ export class App {
         this.toolbar!.show(state);
         this.timebar!.show(state, this.stage!.player.simulation.report().seconds);
         this.panel!.show(state, this.mode);
+        byId("scene").classList.toggle("split", state.panes > 1);
         if (state.message && state.message !== this.lastMessage) announce(state.message);
         this.lastMessage = state.message;
     }

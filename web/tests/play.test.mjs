@@ -110,6 +110,17 @@ for (const [what, file, ask] of [
         await context.close();
     });
 
+test("a phone's help has its fingers first, and a scene in both modes no name over theirs", { timeout: 60_000 }, () =>
+    site.on(phone, "#scene=suspension_bridge&mode=both", async (page) => {
+        await playing(page);
+        const name = () => page.evaluate(() => getComputedStyle(document.getElementById("scene"), "::after").content);
+        assert.equal(await name(), "none");
+        await page.evaluate(() => (window.sinew.stage.player.do("split"), window.sinew.changed()));
+        assert.equal(await name(), '"suspension bridge"');
+        await page.getByRole("button", { name: "keys", exact: true }).tap();
+        assert.equal(await page.locator(".help kbd").first().textContent(), "one finger");
+    }));
+
 test("a new scene and a file open from the gallery", { timeout: 60_000 }, () =>
     site.on(desktop, "", async (page) => {
         await page.waitForFunction(() => window.sinew?.scenes);
