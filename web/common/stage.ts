@@ -2,7 +2,7 @@ import { Canvas2DPainter, SceneErrors, type Engine, type OpenOptions, type Playe
 import { context2d, smooth } from "./context.js";
 import type { Assets } from "./engine.js";
 import { Pointer } from "./pointer.js";
-import { theme } from "./theme.js";
+import { themeOfScene } from "./theme.js";
 
 const longestFrame = 0.1; // seconds; a longer pause of the browser is not made up for
 const mostDense = 2; // device pixels per CSS pixel that are worth painting
@@ -80,7 +80,7 @@ export class Stage {
             const before = this.player, { tool, overlays } = before.state();
             this.current = this.engine.play(scene, options);
             before.dispose();
-            this.player.setTheme(theme());
+            this.player.setTheme(themeOfScene());
             this.player.setTool(tool);
             this.player.setOverlays(overlays);
             this.fitted = 1;

@@ -3,7 +3,7 @@ import { readAddress, writeAddress, type Address } from "../common/address.js";
 import { announce, byId, debounced, el, words } from "../common/dom.js";
 import { loadScenes, provide, sceneText, type Assets } from "../common/engine.js";
 import { Stage } from "../common/stage.js";
-import { applyTheme, setTheme, theme } from "../common/theme.js";
+import { applyTheme, setTheme, theme, themeOfScene } from "../common/theme.js";
 import { exportKinds, exportScene } from "./exports.js";
 import { Films } from "./films.js";
 import { offer, sceneFile } from "./files.js";
@@ -213,7 +213,7 @@ export class App {
     private applyTheme(): void {
         applyTheme();
         if (!byId("gallery").hidden) this.gallery?.show(true);
-        this.stage?.player.setTheme(theme());
+        this.stage?.player.setTheme(themeOfScene());
         this.stage?.wake();
         if (this.panel) this.refresh();
     }
@@ -238,6 +238,7 @@ export class App {
         this.timebar!.show(state, this.stage!.player.simulation.report().seconds);
         this.panel!.show(state, this.mode);
         byId("scene").classList.toggle("split", state.panes > 1);
+        byId("scene").dataset.theme = state.theme;
         if (state.message && state.message !== this.lastMessage) announce(state.message);
         this.lastMessage = state.message;
     }

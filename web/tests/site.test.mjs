@@ -135,6 +135,22 @@ test("the theme is that of the system until another is chosen, and is remembered
         assert.equal(await page.evaluate(() => window.sinew.stage.player.state().theme), "light");
     }));
 
+test("a scene that is made for the dark is dark on a light page, in the gallery and when it is open, until a theme is chosen", () =>
+    site.on(phone, "#scene=spiderweb", async (page) => {
+        const shown = () => page.evaluate(() => [document.documentElement.dataset.theme, window.sinew.stage.player.state().theme, getComputedStyle(document.getElementById("scene"), "::after").color]);
+        await playing(page);
+        assert.deepEqual(await shown(), ["light", "dark", "rgb(232, 228, 218)"]);
+        await page.evaluate(() => (location.hash = "#scene=rope"));
+        await page.waitForFunction(() => window.sinew.opened.name === "rope");
+        assert.deepEqual(await shown(), ["light", "light", "rgb(43, 45, 66)"]);
+        await page.evaluate(() => (location.hash = "#scene=ragdoll&mode=classic"));
+        await page.waitForFunction(() => window.sinew.opened.name === "ragdoll");
+        assert.equal((await shown())[1], "dark", "white lines on black");
+        await page.keyboard.press("t");
+        await page.keyboard.press("t");
+        assert.deepEqual((await shown()).slice(0, 2), ["light", "light"]);
+    }));
+
 test("works without a network after the first visit", { timeout: 120_000 }, async () => {
     await site.on(desktop, "", async (page) => {
         await page.evaluate(() => navigator.serviceWorker.ready);
