@@ -1,5 +1,8 @@
+#include "sinew/prefab/prefabs.h"
 #include "sinew/world/colliders.h"
 
+#include "tests/dice.h"
+#include "tests/prefab/make.h"
 #include "tests/worlds.h"
 
 namespace sinew::SINEW_TEST_FILE {
@@ -80,6 +83,28 @@ TYPED_TEST(EnergyBound, PartsCoincidentBallsGently) {
     for (Row a = 0; a < 8; ++a)
         for (Row b = 0; b < a; ++b)
             EXPECT_GT(double(distance(world.particles.position[a], world.particles.position[b])), 0.19);
+}
+
+/// Figures that begin inside each other part, with friction: a wheel does not spin up.
+TEST(EnergyBounds, AWheelInAFigureStaysSlow) {
+    Dice dice(1);
+    for (const int substeps : {8, 16, 64})
+        for (int i = 0; i < 4; ++i) {
+            FlatWorld<double> world;
+            world.settings.substeps = substeps;
+            const auto put = [&](const auto& prefab, const char* name, double x, double y) {
+                build(world, prefab, name, Placement<2, double>{.at = {{x, y}}, .turn = dice.between(0, 6)});
+                set_contact(world, FigureIndex(world.figures.size() - 1), {.figures = true, .friction = 0.6});
+            };
+            put(Wheel{}, "wheel", dice.between(-0.3, 0.3), dice.between(-0.3, 0.3));
+            put(StickFigure{}, "man", 0, 0);
+            double most = 0;
+            for (int step_number = 0; step_number < 60; ++step_number) {
+                step(world, 1.0 / 60);
+                most = std::max(most, energy(world).kinetic);
+            }
+            EXPECT_LT(most, 0.1 * total_mass(world)) << substeps << ' ' << i;
+        }
 }
 
 } // namespace

@@ -49,7 +49,7 @@ template <int D, class Real> class Rebounds {
     void forget_blows() {
         for (auto& part : room_.parts.list)
             for (std::size_t k = 0; k < part.rows.size(); ++k)
-                if (rebound_after(part.origins[k].approach, Real(1), resting_)) {
+                if (is_blow(part, k)) {
                     part.origins[k].pushed += part.rows[k].multiplier;
                     part.rows[k].multiplier = 0, part.rows[k].tangent = {};
                 }
@@ -69,6 +69,13 @@ template <int D, class Real> class Rebounds {
     /// Rows of walls, and those between figures that rebound from each other.
     static bool takes_part(const Part& part, std::size_t row) {
         return row >= part.first_wall || part.origins[row].restitution > Real(0);
+    }
+    /// Figures that do not rebound press each other as they settle: only what is much faster than that, and than a
+    /// hundredth of their radii in a substep, is a blow.
+    bool is_blow(const Part& part, std::size_t row) const {
+        const auto& origin = part.origins[row];
+        if (takes_part(part, row)) return rebound_after(origin.approach, Real(1), resting_).has_value();
+        return origin.approach > max(Real(40) * resting_, Real(0.01) * origin.thickness);
     }
     /// Rows of blows group by group, if something may strike.
     void list() {

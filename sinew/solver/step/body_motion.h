@@ -56,14 +56,17 @@ template <int D, class Real> class BodyMotion {
         return taken;
     }
 
-    /// Takes energy from the motion about the centre: the momentum stays. Returns how much it took.
-    double slow_turn(double energy) {
+    /// Takes energy from the motion about the centre, and from the spins of what rolls: the momentum stays. Returns how
+    /// much it took.
+    double slow_turn(double energy, bool rolls) {
         whole_ = moments(p_.position);
-        const double there = 0.5 * whole_.square, taken = min(energy, there);
+        const double there = 0.5 * whole_.square + (rolls ? energy_of_spins() : 0), taken = min(energy, there);
         if (!(taken > 0)) return 0;
         const double keep = square_root(max(1 - taken / there, 0.0));
-        for (const Row row : rows_)
+        for (const Row row : rows_) {
             p_.velocity[row] = cast<Real>(whole_.velocity + (cast<double>(p_.velocity[row]) - whole_.velocity) * keep);
+            if (rolls) p_.spin.set(row, p_.spin[row] * Real(keep));
+        }
         return taken;
     }
 
@@ -83,6 +86,14 @@ template <int D, class Real> class BodyMotion {
     void place(Row row, const Vector& at) const {
         p_.position[row] = clamp_components(cast<Real>(at), limit::coordinate<Real>);
         p_.residual[row] = {};
+    }
+    double energy_of_spins() const {
+        double sum = 0;
+        for (const Row row : rows_) {
+            const auto spin = cast<double>(p_.spin[row]);
+            sum += 0.5 * inertia_of(p_, row) * dot(spin, spin);
+        }
+        return sum;
     }
     Vector arm(Row row) const { return cast<double>(p_.position[row]) - origin_ - whole_.center; }
     CentralMoments<D> moments(std::span<const Vec<D, Real>> places) const {

@@ -201,7 +201,7 @@ template <int D, class Real> class EnergyBound {
         if (!(left > 0) || !(own > 0) || room_.bodies[i].is_held) return;
         const double due = left * (own / island.all);
         detail::BodyMotion<D, Real> motion(p_, room_.rows[i]);
-        if (due <= motion.slow_turn(due) || !(room_.bodies[i].tenser > 0)) return;
+        if (due <= motion.slow_turn(due, !room_.spin.empty()) || !(room_.bodies[i].tenser > 0)) return;
         motion.put_back(room_.position);
         measure_.put_back_forces(i);
         reshaped_ = true;
