@@ -77,13 +77,15 @@ test("an error stands at its line: of writing, and of running", { timeout: 60_00
         await page.waitForFunction(() => window.sinew.views[0].state.steps > 20 && !document.querySelector(".problems button"));
     }));
 
-test("a loop without end is stopped, in the first line and in a step", { timeout: 60_000 }, () =>
+const workerBegins = 40_000; // milliseconds: on a busy machine the page gives the worker of a program 30 seconds to begin
+
+test("a loop without end is stopped, in the first line and in a step", { timeout: 180_000 }, () =>
     site.on(desktop, "learn/#point", async (page) => {
         await moving(page);
         for (const [from, to] of [["function step(dt) {", "function step(dt) { for (;;);"], ["let gravity", "while (true);\nlet gravity"]]) {
             await rewrite(page, from, to);
             await run(page);
-            await problem(page).waitFor({ timeout: 10_000 });
+            await problem(page).waitFor({ timeout: workerBegins });
             assert.match(await problem(page).textContent(), /longer than two seconds/);
         }
         await page.getByRole("button", { name: "Reset" }).click();
@@ -140,13 +142,13 @@ test("a hand throws what a program draws", { timeout: 60_000 }, () =>
         assert.ok(painted, "an end is where the hand is");
     }));
 
-test("a challenge is checked, and what is done is kept", { timeout: 60_000 }, () =>
+test("a challenge is checked, and what is done is kept", { timeout: 120_000 }, () =>
     site.on(desktop, "learn/#compliance", async (page) => {
         await moving(page);
         await rewrite(page, "let compliance = 0.05", "let compliance = 0.102");
         await rewrite(page, "-0.7 * h", "-4 * h");
         await run(page);
-        await page.locator(".challenge.solved").waitFor({ timeout: 20_000 });
+        await page.locator(".challenge.solved").waitFor({ timeout: workerBegins });
         await page.reload();
         await page.locator(".challenge.solved").waitFor();
         assert.ok(await page.locator('#contents a.solved[href="#compliance"]').isVisible());
@@ -217,7 +219,7 @@ test("a challenge of a scene counts what the reader's own text has", { timeout: 
         const more = code.replace("}]", '}, {"between": ["form/corner_0", "form/corner_3"]}, {"between": ["form/corner_0", "form/corner_4"]}]');
         await rewrite(page, "}]\n}", `}], ${more}\n}`);
         await run(page);
-        await page.locator(".challenge.solved").waitFor({ timeout: 20_000 });
+        await page.locator(".challenge.solved").waitFor({ timeout: workerBegins });
         assert.equal(await page.locator("p output[name=sticks]").textContent(), "9");
     }));
 
