@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-using detail::copy_row, detail::no_row;
+using detail::copy_row;
 
 template <class Column> bool is_same_row(const Column& a, Row i, const Column& b, Row k) {
     return a[i] == b[k];
@@ -23,8 +23,8 @@ template <class Real> bool is_same_row(const LimitColumns<Real>& a, Row i, const
 
 /// Rows of one thing: by the old description, by the new one, and in the running world.
 struct Places {
-    Row before = no_row, after = no_row, now = no_row;
-    bool are_known() const { return before != no_row && after != no_row && now != no_row; }
+    Row before = detail::no_row, after = detail::no_row, now = detail::no_row;
+    bool are_known() const { return before != detail::no_row && after != detail::no_row && now != detail::no_row; }
 };
 
 template <class WorldT> class FigureChange {
@@ -60,10 +60,11 @@ template <class WorldT> class FigureChange {
     std::vector<Places> particles_{};
     std::vector<Row> now_of_after_{}; ///< rows of particles
 
-    static Row row_in(const WorldT& world, ParticleId id) { return row_of(world, id).value_or(no_row); }
+    static Row row_in(const WorldT& world, ParticleId id) { return row_of(world, id).value_or(detail::no_row); }
     static Row row_in(const WorldT& world, const ConstraintId& id) {
-        Row found = no_row;
-        visit_table(world, id.kind, [&](const auto& table) { found = table.handles.find(id.id).value_or(no_row); });
+        Row found = detail::no_row;
+        visit_table(world, id.kind,
+                    [&](const auto& table) { found = table.handles.find(id.id).value_or(detail::no_row); });
         return found;
     }
     template <class List> Places places_of(const List Figure::*list, std::size_t i) const {
@@ -76,11 +77,11 @@ template <class WorldT> class FigureChange {
             wanted_.constraints.size() != links)
             return false;
         bool are_known = true;
-        now_of_after_.assign(after_.particles.size(), no_row);
+        now_of_after_.assign(after_.particles.size(), detail::no_row);
         for (std::size_t i = 0; i < count; ++i) {
             const auto& places = particles_.emplace_back(places_of(&Figure::particles, i));
             are_known = are_known && places.are_known();
-            if (places.after != no_row) now_of_after_[places.after] = places.now;
+            if (places.after != detail::no_row) now_of_after_[places.after] = places.now;
         }
         for (std::size_t i = 0; i < links; ++i)
             are_known = are_known && is_.constraints[i].kind == wanted_.constraints[i].kind &&
@@ -137,8 +138,8 @@ template <class WorldT> class FigureChange {
     IdList<ParticleId> own(const IdList<ParticleId>& described) const {
         IdList<ParticleId> list;
         for (const auto id : described) {
-            const Row after = row_in(after_, id), now = after == no_row ? no_row : now_of_after_[after];
-            list.push_back(now == no_row ? ParticleId{} : world_.particles.handles.id_of(now));
+            const Row after = row_in(after_, id), now = after == detail::no_row ? detail::no_row : now_of_after_[after];
+            list.push_back(now == detail::no_row ? ParticleId{} : world_.particles.handles.id_of(now));
         }
         return list;
     }
