@@ -1,6 +1,7 @@
 #include "sinew/math/format.h"
 #include "sinew/math/union_find.h"
 #include "sinew/scene/check.h"
+#include "sinew/scene/check_overlaps.h"
 #include "sinew/scene/types.h"
 #include "sinew/world/edit.h"
 #include "sinew/world/islands.h"
@@ -188,7 +189,12 @@ template <int D, class Real> class TrapCheck {
 } // namespace
 
 void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document) {
-    std::visit([&](const auto& w) { TrapCheck(scene, w, document).run(); }, world);
+    std::visit(
+        [&]<int D, class Real>(const World<D, Real>& w) {
+            TrapCheck(scene, w, document).run();
+            OverlapCheck(scene, w, document).run();
+        },
+        world);
 }
 
 } // namespace sinew
