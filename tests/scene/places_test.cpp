@@ -66,5 +66,22 @@ TEST(Overlap, OfManyFiguresIsOneWarning) {
         says(said, "\"b1\" begins in \"b0\", and they cannot touch: nothing keeps them apart, nor 2 other pairs"));
 }
 
+// Half a step of floats at x is x / 2^24: above 1e-3 r from x = 1e-3 r 2^24 on, 168 for r = 0.01.
+TEST(Floats, AreWarnedOfWhereTheyRoundAShareOfARadius) {
+    const auto ball = [](const char* precision, double x, double radius) {
+        return warnings_of(fmt::format(R"({{"sinew": 1, "solver": {{"precision": "{}"}},
+            "figures": [{{"prefab": "ball", "radius": {}, "at": [{}, 1]}}]}})",
+                                       precision, radius, x));
+    };
+    const auto said = ball("float", 1e5, 0.01);
+    EXPECT_TRUE(says(said, "\"ball\" is 1e+05 from the origin, where floats are rounded by 0.00596")) << said;
+    EXPECT_TRUE(says(said, "stay within 168 of the origin"));
+    EXPECT_TRUE(says(said, "at /figures/0"));
+    EXPECT_TRUE(says(ball("float", -169, 0.01), "from the origin"));
+    EXPECT_EQ(ball("float", 167, 0.01), "");
+    EXPECT_EQ(ball("float", 1600, 0.1), "");
+    EXPECT_EQ(ball("double", 1e5, 0.01), "");
+}
+
 } // namespace
 } // namespace sinew::SINEW_TEST_FILE
