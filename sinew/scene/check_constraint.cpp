@@ -57,6 +57,7 @@ class ConstraintCheck {
                 place, "this drive never moves: it has neither a speed nor keys",
                 "a \"speed\" turns or winds for ever; \"keys\" such as {\"at\": 2, \"to\": 1} say where "
                 "the limit is at which time");
+        if (!drive.has_targets() && (!drive.speed || stands)) strengths(drive, section, place);
         if (drive.speed && !drive.has_targets() && section.low && section.high && *section.low < *section.high)
             document_.warn(place + "/speed",
                            "the motor moves both limits, \"low\" and \"high\", along: they never stop it",
@@ -66,6 +67,23 @@ class ConstraintCheck {
             document_.error(place + "/speed", "with a speed of 0 the keys are never reached",
                             "leave it out to be at each key in time");
         if (drive.has_targets() && !drive.speed) jump(drive, section, place);
+    }
+
+    /// Checks the keys of a drive that moves no limit: a strength is a share of the largest force, for which the limit
+    /// is held.
+    void strengths(const DriveSection& drive, const ConstraintSection& section, const std::string& place) {
+        const auto has_strength = [](const DriveKey& key) { return key.strength.has_value(); };
+        if (std::ranges::none_of(drive.keys, has_strength))
+            return document_.error(place + "/keys",
+                                   "this drive never moves: its keys have neither \"to\" nor \"strength\"",
+                                   "\"to\" says where the limit is at the time of the key; or give the drive a "
+                                   "\"speed\"");
+        if (section.max_force == 0)
+            document_.warn(
+                place + "/keys",
+                "this drive does nothing: it has no speed, and its keys change a max_force that is not given",
+                "give the constraint a \"max_force\", of which a strength is a share; and the keys a "
+                "\"to\", or the drive a \"speed\", to move it");
     }
 
     /// Reports a first key at time 0 that is not the initial value, without a speed to get there.

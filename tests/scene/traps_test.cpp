@@ -78,11 +78,27 @@ TEST(Drive, ThatNeverMovesTellsWhatIsMissing) {
     EXPECT_TRUE(says(drive(R"({"speed": 0})").errors, "neither a speed nor keys"));
     EXPECT_TRUE(says(drive(R"({"speed": 0, "keys": [{"at": 1, "to": 1}]})").errors, "never reached"));
     EXPECT_TRUE(says(drive(R"({"keys": [{"at": 0, "to": 1}]})").errors, "needs a \"speed\""));
+    EXPECT_TRUE(says(drive(R"({"keys": [{"at": 1}]})").errors, "its keys have neither \"to\" nor \"strength\""));
+    EXPECT_TRUE(says(drive(R"({"speed": 0, "keys": [{"at": 1}]})").errors, "neither \"to\" nor \"strength\""));
     for (const auto* good : {R"({"speed": 1})", R"({"keys": [{"at": 1, "to": 1}]})",
                              R"({"keys": [{"at": 0, "to": 2}]})", R"({"speed": 1, "keys": [{"at": 0, "to": 1}]})"})
         EXPECT_TRUE(drive(good).opened) << good << drive(good).errors;
     const auto join = said_of(three("", R"(, "events": [{"at": 1, "join": ["f/a", "f/c"], "drive": {"speed": 1}}])"));
     EXPECT_TRUE(says(join.errors, "a joined constraint has no drive"));
+}
+
+TEST(Drive, OfStrengthsAloneNeedsTheForceThatTheyShare) {
+    const auto held = [](const std::string& more) {
+        return said_of(
+            three(R"({"kind": "angle", "between": ["a", "b", "c"], "drive": {"keys": [{"at": 1, "strength": 0.5}])" +
+                  more + "}"));
+    };
+    const auto said = held("}");
+    EXPECT_TRUE(says(said.warnings, "this drive does nothing")) << said.errors;
+    EXPECT_TRUE(says(said.warnings, "give the constraint a \"max_force\""));
+    EXPECT_TRUE(says(said.warnings, "at /figures/0/constraints/0/drive/keys"));
+    EXPECT_TRUE(said.opened);
+    EXPECT_EQ(held(R"(}, "max_force": 5)").warnings, "") << "a hinge held at half of its force";
 }
 
 TEST(Motor, OfUnlimitedForceAgainstARigidLimitIsRefused) {
