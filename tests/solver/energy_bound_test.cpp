@@ -1,6 +1,7 @@
 #include "sinew/prefab/prefabs.h"
 #include "sinew/world/colliders.h"
 
+#include "tests/crates.h"
 #include "tests/dice.h"
 #include "tests/prefab/make.h"
 #include "tests/worlds.h"
