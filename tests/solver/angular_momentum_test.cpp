@@ -104,14 +104,14 @@ template <int D, class Real> double worst_change(double friction, bool bounces, 
 }
 
 /// Rods, triangles and chains without friction: normals follow the nearest points, links are pulled along their own
-/// directions, and what a step gains in energy is taken from inner motion.
+/// directions, and gains of energy in a step are taken from inner motion.
 TYPED_TEST(AngularMomentum, OfFiguresThatStrikeStays) {
     constexpr double exact = TypeParam::precise ? 1e-5 : 1e-3;
     for (const bool bounces : {false, true})
         EXPECT_LT((worst_change<TypeParam::dimension, typename TypeParam::Real>(0, bounces, true)), exact) << bounces;
 }
 
-/// Rigid bodies rub at their surfaces: what friction takes from one the other receives.
+/// Rigid bodies rub at their surfaces, each with the moment that the other loses.
 TYPED_TEST(AngularMomentum, OfRigidFiguresThatRubStays) {
     constexpr double exact = TypeParam::precise ? 1e-5 : 1e-3;
     for (const double friction : {0.3, 1.0})

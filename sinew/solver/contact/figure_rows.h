@@ -142,7 +142,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if (is_rigid(*ends[2], *ends[3])) add_lever(row, 2, 3, min(ends[2]->radius, ends[3]->radius));
     }
     static bool rubs(const Particle& a, const Particle& b) { return min(a.friction, b.friction) > Real(0); }
-    /// True for ends of a link of a rigid body: of a cluster, or of a rod. What has joints gives way to a moment, and
+    /// True for ends of a link of a rigid body: of a cluster, or of a rod. Ropes and limbs give way to a moment, and
     /// friction acts on its lines.
     bool is_rigid(const Particle& a, const Particle& b) const {
         const auto& links = room_.projector.links();
@@ -152,7 +152,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         const auto component = links.component_of[a.slot];
         return component != links.none && component == links.component_of[b.slot] && links.is_rod(component);
     }
-    /// Lever of a particle, by a link that it is in. What rolls has a spin of its own.
+    /// Lever of a particle, by a link that ends there. A rolling one has a spin of its own.
     void add_lever(ContactRowT& row, std::size_t member, const Particle& p, Real radius) const {
         if (radius == Real(0) || !p.in_segment || state_.rolls(p.slot)) return;
         const auto& beside = room_.particles[p.beside];

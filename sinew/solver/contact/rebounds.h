@@ -70,7 +70,7 @@ template <int D, class Real> class Rebounds {
     static bool takes_part(const Part& part, std::size_t row) {
         return row >= part.first_wall || part.origins[row].restitution > Real(0);
     }
-    /// Figures that do not rebound press each other as they settle: only what is much faster than that, and than a
+    /// Figures that do not rebound press each other as they settle: only an approach much faster than that, and than a
     /// hundredth of their radii in a substep, is a blow.
     bool is_blow(const Part& part, std::size_t row) const {
         const auto& origin = part.origins[row];

@@ -6,8 +6,8 @@
 namespace sinew {
 namespace {
 
-/// Energy of the components in the lanes of V, and their angular momentum: what the corrections of a substep add in
-/// energy is taken from the motion relative to the rigid body with the same momenta.
+/// Energy of the components in the lanes of V, and their angular momentum: a gain by the corrections of a substep is
+/// taken from the motion relative to the rigid body with the same momenta.
 template <int D, class Real, class V> class LinkEnergy : protected LinkExchange<D, Real, V> {
   protected:
     using Exchange = LinkExchange<D, Real, V>;
