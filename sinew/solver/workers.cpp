@@ -50,7 +50,7 @@ ProgramThreads& program_threads() {
     return threads;
 }
 
-/// Those of the step that the calling thread takes.
+/// Threads of the step that the calling thread takes.
 ProgramThreads& threads_of_steps() {
     static thread_local ProgramThreads threads;
     return threads;

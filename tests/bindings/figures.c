@@ -1,5 +1,5 @@
 /* Figures added by calls, whose parameters are changed while they move. */
-#include "tests/bindings/check.h"
+#include "tests/bindings/worlds.h"
 
 #include <math.h>
 #include <string.h>
@@ -23,21 +23,6 @@ static uint32_t added(sinew_world world, const char* prefab, const sinew_paramet
 static sinew_status set(sinew_world world, uint32_t figure, const char* name, double number) {
     const sinew_parameter parameter = {name, number, NULL};
     return sinew_world_set_figure(world, figure, &parameter, 1);
-}
-static sinew_particle called(sinew_world world, const char* name) {
-    sinew_particle particle = 0;
-    CHECK(sinew_world_find_particle(world, name, &particle) == SINEW_OK);
-    return particle;
-}
-static sinew_particle_state state_of(sinew_world world, sinew_particle particle) {
-    sinew_particle_state state = {.struct_size = sizeof state};
-    CHECK(sinew_world_get_particle(world, particle, &state) == SINEW_OK);
-    return state;
-}
-static uint64_t hash_of(sinew_world world) {
-    uint64_t hash = 0;
-    CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK);
-    return hash;
 }
 
 /* The rope swings on with another weight: ids hold, and positions do until the next step. */
@@ -120,7 +105,7 @@ static void what_would_begin_anew_is_refused(void) {
 
 /* A cut figure keeps its wounds; in saved worlds, copies and edited scenes figures are still known. */
 static void descriptions_go_with_the_world(void) {
-    sinew_world world = created(), twin, copy;
+    sinew_world world = created(), twin = {0}, copy = {0};
     const uint32_t car = added(world, "car", NULL, 0);
     const uint8_t* bytes;
     size_t size;

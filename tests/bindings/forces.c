@@ -1,5 +1,5 @@
 /* Force fields added, changed and removed by calls. */
-#include "tests/bindings/check.h"
+#include "tests/bindings/worlds.h"
 
 #include <math.h>
 #include <string.h>
@@ -9,11 +9,6 @@ static const char* const dragged =
     "\"figures\": [{\"name\": \"stone\", \"particles\": {\"p\": {\"at\": [0, 0]}}}, "
     "{\"name\": \"other\", \"particles\": {\"p\": {\"at\": [5, 0]}}}]}";
 
-static sinew_world opened(const char* scene) {
-    sinew_world world = {0};
-    CHECK(sinew_world_open(scene, NULL, &world) == SINEW_OK);
-    return world;
-}
 static sinew_world created(void) {
     const sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -10, 0}};
     sinew_world world = {0};
@@ -25,21 +20,6 @@ static sinew_particle stone_in(sinew_world world) {
     sinew_particle stone = 0;
     CHECK(sinew_world_add_particle(world, &spec, &stone) == SINEW_OK);
     return stone;
-}
-static sinew_particle called(sinew_world world, const char* name) {
-    sinew_particle particle = 0;
-    CHECK(sinew_world_find_particle(world, name, &particle) == SINEW_OK);
-    return particle;
-}
-static sinew_particle_state state_of(sinew_world world, sinew_particle particle) {
-    sinew_particle_state state = {.struct_size = sizeof state};
-    CHECK(sinew_world_get_particle(world, particle, &state) == SINEW_OK);
-    return state;
-}
-static uint64_t hash_of(sinew_world world) {
-    uint64_t hash = 0;
-    CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK);
-    return hash;
 }
 
 /* A stone in a strong wind moves with the air; in drag it falls at m g / strength. */
@@ -92,7 +72,7 @@ static void forces_are_hashed_as_those_of_scenes(void) {
 
 static void forces_are_read_and_changed(void) {
     const sinew_world world = opened(dragged);
-    sinew_force gravity, drag, none = 77;
+    sinew_force gravity = 0, drag = 0, none = 77;
     sinew_force_spec spec = {.struct_size = sizeof spec};
     CHECK(sinew_world_force_at(world, 0, &gravity) == SINEW_OK && sinew_world_force_at(world, 1, &drag) == SINEW_OK);
     CHECK(sinew_world_force_at(world, 2, &none) == SINEW_NOT_FOUND && none == 77);
@@ -141,9 +121,9 @@ static void wrong_numbers_change_nothing(void) {
 
 /* Ids, and what calls have changed, hold in copies, loaded worlds and edited scenes. */
 static void forces_outlast_an_edit(void) {
-    const char* const edits[] = {"view.theme=dark", "world.damping=0.1",
-                                 "world.forces=[{\"force\":\"wind\",\"velocity\":[0,0],\"strength\":0},"
-                                 "{\"force\":\"drag\",\"strength\":2}]"};
+    static const char forces[] = "world.forces=[{\"force\":\"wind\",\"velocity\":[0,0],\"strength\":0},"
+                                 "{\"force\":\"drag\",\"strength\":2}]";
+    const char* const edits[] = {"view.theme=dark", "world.damping=0.1", forces};
     for (size_t i = 0; i < sizeof edits / sizeof *edits; ++i) {
         sinew_world world = opened(dragged), twin;
         sinew_force drag, wind;

@@ -1,33 +1,13 @@
 /* Grabs in the plane and in space, one of the pointer and others beside it. */
-#include "tests/bindings/check.h"
+#include "tests/bindings/worlds.h"
 
 #include <math.h>
 #include <string.h>
 
-static sinew_world opened(const char* scene) {
-    sinew_world world = {0};
-    CHECK(sinew_world_open(scene, NULL, &world) == SINEW_OK);
-    return world;
-}
-static sinew_particle called(sinew_world world, const char* name) {
-    sinew_particle particle = 0;
-    CHECK(sinew_world_find_particle(world, name, &particle) == SINEW_OK);
-    return particle;
-}
-static sinew_particle_state state_of(sinew_world world, sinew_particle particle) {
-    sinew_particle_state state = {.struct_size = sizeof state};
-    CHECK(sinew_world_get_particle(world, particle, &state) == SINEW_OK);
-    return state;
-}
 static double distance_to(sinew_world world, sinew_particle particle, sinew_point to) {
     const sinew_particle_state state = state_of(world, particle);
     const double x = state.position[0] - to.x, y = state.position[1] - to.y, z = state.position[2] - to.z;
     return sqrt(x * x + y * y + z * z);
-}
-static uint64_t hash_of(sinew_world world) {
-    uint64_t hash = 0;
-    CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK);
-    return hash;
 }
 
 /* A place on the way: a hand moves evenly, since the force of a grab has a limit. */

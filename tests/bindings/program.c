@@ -499,7 +499,7 @@ static void figures_are_steered(void) {
     sinew_particle feet, rear;
     sinew_particle_state state = {.struct_size = sizeof state}, wheel = {.struct_size = sizeof wheel};
     sinew_footing footing = {.struct_size = sizeof footing};
-    uint32_t character, car, rope;
+    uint32_t character = 0, car = 0, rope = 0;
     CHECK(sinew_world_add_collider(world, &ground, &id) == SINEW_OK);
     CHECK(sinew_world_add_figure(world, &hero, &character) == SINEW_OK &&
           sinew_world_add_figure(world, &racer, &car) == SINEW_OK);
@@ -615,7 +615,7 @@ static void controls_outlast_an_edit_of_the_scene(void) {
     sinew_world world;
     sinew_particle feet;
     sinew_particle_state state = {.struct_size = sizeof state, .velocity = {0, 0, 0}};
-    uint32_t hero;
+    uint32_t hero = 0;
     CHECK(sinew_world_open(scene, NULL, &world) == SINEW_OK &&
           sinew_world_find_figure(world, "hero", &hero) == SINEW_OK);
     CHECK(sinew_world_steer(world, hero, &controls) == SINEW_OK && sinew_world_step(world, 60) == SINEW_OK);
@@ -667,7 +667,7 @@ static struct added added_to(sinew_world world) {
 static void what_calls_have_added_outlasts_an_edit(void) {
     const char* const edits[] = {"view.theme=dark", "figures.1.mass=2", "world.damping=0.1"};
     for (size_t i = 0; i < sizeof edits / sizeof *edits; ++i) {
-        sinew_world world, twin;
+        sinew_world world = {0}, twin = {0};
         sinew_particle_state state = {.struct_size = sizeof state}, of_twin = {.struct_size = sizeof of_twin};
         sinew_constraint_state joint = {.struct_size = sizeof joint};
         sinew_figure figure = {.struct_size = sizeof figure};

@@ -1,5 +1,5 @@
 /* Colliders of every shape by calls, and those that are refused. */
-#include "tests/bindings/check.h"
+#include "tests/bindings/worlds.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -17,16 +17,6 @@ static sinew_particle ball_at(sinew_world world, double x, double y, double z) {
     sinew_particle ball = 0;
     CHECK(sinew_world_add_particle(world, &spec, &ball) == SINEW_OK);
     return ball;
-}
-static sinew_particle_state state_of(sinew_world world, sinew_particle particle) {
-    sinew_particle_state state = {.struct_size = sizeof state};
-    CHECK(sinew_world_get_particle(world, particle, &state) == SINEW_OK);
-    return state;
-}
-static uint64_t hash_of(sinew_world world) {
-    uint64_t hash = 0;
-    CHECK(sinew_world_state_hash(world, &hash) == SINEW_OK);
-    return hash;
 }
 
 static const sinew_point square[] = {{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}};

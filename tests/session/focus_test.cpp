@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-/// What a picture shows where the scene has no view of its own.
+/// View of a picture where the scene has none of its own.
 namespace sinew::SINEW_TEST_FILE {
 namespace {
 

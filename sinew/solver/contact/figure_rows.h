@@ -143,7 +143,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     }
     static bool rubs(const Particle& a, const Particle& b) { return min(a.friction, b.friction) > Real(0); }
     /// True for ends of a link of a rigid body: of a cluster, or of a rod. Ropes and limbs give way to a moment, and
-    /// friction acts on its lines.
+    /// friction acts on their lines.
     bool is_rigid(const Particle& a, const Particle& b) const {
         const auto& links = room_.projector.links();
         const auto clusters = room_.projector.cluster_of();
