@@ -104,17 +104,21 @@ export class FigureView {
         return textOf(this.figure, value, this.text, (scene) => sceneText(scene, this.columns));
     }
 
-    /** Starts a text that the reader wants to see running: the figure comes into sight once it does. */
     private begun(text: string): void {
-        this.isAwaited = true;
-        this.readAt = 0;
         keepText(this.id, this.box.isEdited ? text : undefined);
-        this.start(text);
+        this.startInSight(text);
     }
 
     private undone(): void {
         keepText(this.id);
-        this.start(this.own(this.current));
+        this.startInSight(this.own(this.current));
+    }
+
+    /** Starts a text that the reader wants to see running: the figure comes into sight once it does. */
+    private startInSight(text: string): void {
+        this.isAwaited = true;
+        this.readAt = 0;
+        this.start(text);
     }
 
     private start(text: string): void {

@@ -57,6 +57,8 @@ test("a program is edited, run, and reset", { timeout: 60_000 }, () =>
         await page.getByRole("button", { name: "Reset" }).click();
         assert.ok((await state(page)).text.includes("speedY + gravity"));
         await page.waitForFunction(() => window.sinew.views[0].state.live.height !== 384 - 330);
+        await page.waitForFunction(() => document.querySelector(".live canvas").getBoundingClientRect().bottom > 40); // in sight again: out of sight it would stand still
+        await moving(page);
     }));
 
 test("an error stands at its line: of writing, and of running", { timeout: 60_000 }, () =>

@@ -64,7 +64,7 @@ export class ProgramRunner {
 
     end(): void {
         clearTimeout(this.timer);
-        this.worker.onmessage = null;
+        this.worker.onmessage = this.worker.onerror = null;
         this.worker.terminate();
     }
 
