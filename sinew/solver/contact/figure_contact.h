@@ -49,6 +49,7 @@ template <int D, class Real> class FigureContact {
         room().projector.project_velocities(state_, threads_);
         warm_start.bound();
         Rebounds<D, Real>(room(), state_, rows_, h_).run();
+        note_loads();
     }
 
     /// After the sweep.
@@ -171,6 +172,13 @@ template <int D, class Real> class FigureContact {
         const auto after = std::upper_bound(components.begin(), components.end(), slot,
                                             [](Row s, const Component& component) { return s < component.begin.slot; });
         return (after - 1)->is_elastic;
+    }
+    /// Loads work against the links of what they press.
+    void note_loads() {
+        for (const auto& part : room().parts.list)
+            for (const auto& row : part.rows)
+                if (row.multiplier > Real(0))
+                    for (const Row slot : row.slots()) room().projector.note_load(slot);
     }
     void apply_again(RowT& row) {
         if (!row.keeps || is_elastic(row.slot[0]) || !(row.multiplier > Real(0)))

@@ -47,8 +47,17 @@ template <int D, class Real> class LinkProjector {
         notes_pushes_ = is_last;
         if (is_last) inner_.forget(links_, packs_);
         if (!is_current_ || mobilities_change) run(kernels_->factorise, state, threads);
+        run(kernels_->note, state, threads);
     }
     void project_velocities(SweepState<D, Real>& state, int threads) { run(kernels_->velocities, state, threads); }
+    /// After a blow on a particle: the energy that its component keeps.
+    void note_blow(const SweepState<D, Real>& state, Row slot) { run_at(slot, kernels_->note, state); }
+    /// A load of contact on a particle, of unknown work: its component may lose energy in the substep.
+    void note_load(Row slot) {
+        if (links_.component_of[slot] == RigidLinks<D, Real>::none) return;
+        const auto [pack, lane] = packs_.place_of(links_.component_of[slot]);
+        packs_.list[pack].least_energy()[lane] = LinkPack<D>::no_energy;
+    }
     /// Clusters show their motions, for rows that act on these.
     void begin_rows(SweepState<D, Real>& state, int threads) { run(kernels_->begin_rows, state, threads); }
     /// `project_velocities` after such rows.
@@ -155,7 +164,15 @@ template <int D, class Real> class LinkProjector {
         unevenness_ = most / lightest;
     }
     LinkColumns<D, Real> columns(const SweepState<D, Real>& state) {
-        return {state.position[0], state.displacement[0], state.stride(), state.mobility, motions_.data()};
+        const Real h = Real(1) / state.per_h;
+        return {.position = state.position[0],
+                .displacement = state.displacement[0],
+                .stride = state.stride(),
+                .mobility = state.mobility,
+                .motions = motions_.data(),
+                .furthest = double(max_displacement(h)),
+                .fall = cast<double>(state.gravity) * square(double(h)),
+                .only_falls = state.everyone_alike};
     }
     /// Hash of the set; 0 without ropes.
     std::uint64_t ropes_that_pull(Row slot) const {

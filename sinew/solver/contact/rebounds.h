@@ -140,6 +140,9 @@ template <int D, class Real> class Rebounds {
             figures_.finish();
             for (const auto& one : body) note(one);
         }
+        for (const auto& one : body)
+            if (one.strikes > 0)
+                for (const Row slot : row_of(one).slots()) room_.projector.note_blow(state_, slot);
     }
     /// Displacement of a contact from its wall, along the normal.
     Real change(std::span<const Rebounding> body, std::size_t i) const {
@@ -154,13 +157,14 @@ template <int D, class Real> class Rebounds {
             const Real gap = max(row_of(one).gap, Real(0));
             one.before = change(body, i), one.impulse = 0;
             one.target = is_wall(one) ? min(-gap, one.before) : -limit::measure<Real>;
-            if (one.strikes == strikes_of_row || origin.restitution == Real(0) || !(gap + one.before < Real(0)))
-                continue;
-            if (const auto away = rebound_after(-one.before, origin.restitution, resting_)) {
-                one.target = *away + (Real(1) + origin.restitution) * one.added;
-                ++one.strikes;
-                any = true;
-            }
+            if (one.strikes == strikes_of_row || origin.restitution == Real(0)) continue;
+            const auto away = rebound_after(-one.before, origin.restitution, resting_);
+            if (!away) continue;
+            one.target = -limit::measure<Real>; // what it meets later in the substep gives it its own blow
+            if (!(gap + one.before < Real(0))) continue;
+            one.target = *away + (Real(1) + origin.restitution) * one.added;
+            ++one.strikes;
+            any = true;
         }
         return any;
     }

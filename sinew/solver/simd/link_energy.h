@@ -70,6 +70,39 @@ template <int D, class Real, class V> class LinkEnergy : protected LinkExchange<
         lane::Inertia<D, V> inertia_;
     };
 
+    /// Loads displacements that contacts and guards may have shortened since the lengths were corrected: what that
+    /// took is not due.
+    void load_shortened() {
+        constexpr double exact = 1e-5; // rounding of floats is no loss
+        const V whole = energy_in(frame());
+        this->load();
+        const V left = energy_in(frame()), lost = left < whole * number(1 - exact) ? whole - left : V{};
+        Solution::set_energy(lane::max(Solution::energy() - lost, V{}));
+        Solution::set_least_energy(Solution::least_energy() - lost);
+    }
+    // --- work --------------------------------------------------------------------------------------------------------
+    //
+    // With d the displacements, g gravity and h the substep, energies times 2 h^2: gravity has given the velocities
+    //     sum of m h^2 g (d before the step + d predicted);    its work is    2 sum of m h^2 g d.
+
+    /// Sum of m h^2 g d.
+    V fall() const {
+        V sum{};
+        for (std::uint32_t i = 0; i < pack_.particles; ++i)
+            for (std::size_t c = 0; c < D; ++c)
+                sum = sum + displacement(i).at[c] * particle(i, Fields::mass) * number(columns_.fall[int(c)]);
+        return sum;
+    }
+    /// Energy due at least, with half of what gravity has given to the velocities in the substep taken back; none where
+    /// other forces act, and none for ropes, which lose some as they snap taut.
+    V with_fall() const {
+        if (pack_.has_ropes || !columns_.only_falls) return number(LinkPack<D>::no_energy);
+        return energy_in(frame()) - fall();
+    }
+    void add_work(const V& work) const {
+        Solution::set_least_energy(lane::min(Solution::least_energy() + work, Solution::energy()));
+    }
+
     /// Gives the components a mean displacement and an angular momentum.
     void set_momenta(const Mask& mask, const Body& body, const Vector& drift, const Turn& spin) const {
         const Turn turn = body.rate_of(spin - body.spin());
@@ -99,19 +132,28 @@ template <int D, class Real, class V> class LinkEnergy : protected LinkExchange<
             });
         }
     }
-    /// Slows motion down to the energy due: at first that which is not of the rigid body.
-    void slow_down(const Mask& gains, const Body& body, const V& due) const {
+    /// Gives motion the energy due: at first that which is not of the rigid body slows down, or becomes faster. What
+    /// rounding leaves of it in a rigid body does not.
+    void scale(const Mask& mask, const Body& body, const V& due) const {
+        if (!lane::any(mask)) return;
+        constexpr double most = 16, rounding = 1e-6;
         const Vector drift = frame();
         const Turn spin = body.spin(), turn = body.rate_of(spin);
         const V rigid = dot(turn, spin), inner = energy_in(drift) - rigid;
         const V left = lane::max(due - rigid, V{});
-        const V within = lane::root(V(lane::min(left * inverse_or_zero(inner), number(1))));
+        V largest = inner > due * number(rounding) ? number(most) : number(1);
+        body.each([&](std::uint32_t i) {
+            const Vector moved = displacement(i);
+            for (std::size_t c = 0; c < D; ++c)
+                largest = lane::size_of(moved.at[c]) > number(0.25 * columns_.furthest) ? number(1) : largest;
+        });
+        const V within = lane::root(V(lane::min(left * inverse_or_zero(inner), largest)));
         const V whole = lane::root(V(lane::min(due * inverse_or_zero(rigid), number(1))));
         const V share = rigid > V{} ? whole : number(1);
         body.each([&](std::uint32_t i) {
             const Vector moved = displacement(i), turning = body.by(turn, i);
-            const Vector slower = drift + turning * share + (moved - drift - turning) * within;
-            set_particle_vector(i, Fields::displacement, blend(gains, slower, moved));
+            const Vector scaled = drift + turning * share + (moved - drift - turning) * within;
+            set_particle_vector(i, Fields::displacement, blend(mask, scaled, moved));
         });
     }
 };

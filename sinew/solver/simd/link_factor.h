@@ -30,6 +30,8 @@ template <int D, class V> class LinkLanes {
     void set_cluster(std::size_t i, std::size_t field, const V& to) const { put(pack_.of_cluster(i, field), to); }
     V energy() const { return get(pack_.energy()); }
     void set_energy(const V& to) const { put(pack_.energy(), to); }
+    V least_energy() const { return get(pack_.least_energy()); }
+    void set_least_energy(const V& to) const { put(pack_.least_energy(), to); }
 
     Vector particle_vector(std::size_t i, std::size_t field) const {
         return get_numbers<D>(pack_.of_particle(i, field));

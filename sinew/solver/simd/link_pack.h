@@ -92,9 +92,10 @@ template <int D> struct LinkFields {
 };
 
 /// Components of equal structure. A field has `stride` numbers, one for each lane: records of the particles, of the
-/// links, of the clusters, entries of the factor, energy.
+/// links, of the clusters, entries of the factor, energies.
 template <int D> struct LinkPack {
     static constexpr char moves_alone = 1, moves_with_cluster = 2;
+    static constexpr double no_energy = -1e300; ///< none is due
     const LinkRow* rows = nullptr;
     const LinkCluster* cluster = nullptr;
     const std::uint32_t* members = nullptr; ///< particles of the clusters
@@ -119,11 +120,12 @@ template <int D> struct LinkPack {
         return of_link(links, 0) + (i * LinkFields<D>::of_cluster + field) * stride;
     }
     double* entry(std::size_t i) const { return of_cluster(clusters, 0) + i * stride; }
-    double* energy() const { return entry(entries); } ///< due, in its frame, times 2 h^2
+    double* energy() const { return entry(entries); }           ///< due, in its frame, times 2 h^2: at most
+    double* least_energy() const { return entry(entries + 1); } ///< without the work of gravity
     std::size_t size() const {
         using Fields = LinkFields<D>;
         return (particles * Fields::of_particle + links * Fields::of_link + clusters * Fields::of_cluster + entries +
-                1) *
+                2) *
                stride;
     }
 };
@@ -135,18 +137,22 @@ template <int D, class Real> struct LinkColumns {
     std::size_t stride; ///< numbers between the columns of two components
     const Real* mobility;
     ClusterMotion<D, Real>* motions; ///< of all clusters
+    double furthest;                 ///< displacement of a substep
+    Vec<D, double> fall;             ///< gravity times the square of the substep
+    bool only_falls;                 ///< no other force acts
 };
 
 /// Kernels of rigid links. `lane`: the only component that takes part, or -1 for all.
 template <int D, class Real> struct LinkKernels {
     using Project = void (*)(const LinkColumns<D, Real>&, const LinkPack<D>&, int lane);
     Project factorise;  ///< at the present places
+    Project note;       ///< the energy due at least, before contacts act or after blows
     Project velocities; ///< no link is about to change its length, to first order
     Project begin_rows; ///< shows the motions of clusters, for rows that act on them
     Project end_rows;   ///< `velocities`, with these motions as rows have changed them
     Project lengths;    ///< right lengths at the end of the displacements
     Project again;      ///< `lengths` once more: the energy due stays as it was
-    Project restore;    ///< after the particles have moved: velocities, with no more energy than before `lengths`
+    Project restore;    ///< after the particles have moved: velocities, with the energy due
 };
 
 } // namespace sinew

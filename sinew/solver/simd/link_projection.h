@@ -37,6 +37,10 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
         take_directions(live_);
         Clusters::factorise(live_);
     }
+    void note() {
+        load();
+        Solution::set_least_energy(Energy::with_fall());
+    }
     void velocities() {
         load();
         project_velocities(live_);
@@ -50,9 +54,8 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
         Exchange::show_motions();
     }
     void end_rows() {
-        if (pack_.clusters == 0) return velocities();
-        Exchange::take_motions();
-        load(pack_.notes_held ? char(-1) : LinkPack<D>::moves_with_cluster);
+        if (pack_.clusters > 0) Exchange::take_motions();
+        load(pack_.clusters == 0 || pack_.notes_held ? char(-1) : LinkPack<D>::moves_with_cluster);
         hold_links_of_clusters(live_);
         store();
     }
@@ -60,10 +63,11 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
         load();
         Clusters::make_rigid(live_);
         Solution::set_energy(energy_in(frame()));
+        Solution::set_least_energy(lane::min(Energy::with_fall(), Solution::least_energy()));
         correct_lengths();
     }
     void lengths_again() {
-        load();
+        Energy::load_shortened();
         Clusters::make_rigid(live_);
         correct_lengths();
     }
@@ -71,8 +75,10 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
         const Mask changed = lane::both(live_, measure());
         take_directions(live_);
         if (lane::any(changed)) Clusters::factorise(changed);
-        load();
+        Energy::load_shortened();
+        const V work = Energy::fall() * number(2);
         project_velocities(live_);
+        Energy::add_work(work - Energy::fall());
         restore_energy();
         store();
     }
@@ -232,14 +238,16 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
 
     // --- energy ------------------------------------------------------------------------------------------------------
 
+    /// Links do no work: the velocities have the energy that there was before the lengths were corrected, without what
+    /// pushed overlaps out. A rope that snaps taut may lose some.
     [[gnu::flatten, gnu::noinline]] void restore_energy() const {
         constexpr double much = 1.001;
         const Vector drift = frame();
-        const V due = Solution::energy(), now = energy_in(drift);
-        const Mask gains = lane::both(live_, now > due);
-        if (!lane::any(gains)) return;
+        const V most = Solution::energy(), least = Solution::least_energy(), now = energy_in(drift);
+        const Mask gains = lane::both(live_, now > most), off = Solution::either(gains, lane::both(live_, now < least));
+        if (!lane::any(off)) return;
         const typename Energy::Body body(*this);
-        const Mask gains_much = lane::both(gains, now > due * number(much));
+        const Mask gains_much = lane::both(gains, now > most * number(much));
         if (lane::any(gains_much)) {
             const auto spin = body.spin();
             for (std::size_t i = 0; i < pack_.particles; ++i)
@@ -248,7 +256,9 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
             project_velocities(gains_much);
             Energy::set_momenta(lane::both(gains_much, now > body.rounding()), body, drift, spin);
         }
-        Energy::slow_down(lane::both(gains, energy_in(frame()) > due), body, due);
+        const V left = energy_in(frame());
+        Energy::scale(lane::both(off, left > most), body, most);
+        Energy::scale(lane::both(off, left < least), body, least);
     }
 };
 
@@ -268,26 +278,19 @@ void each_lane(const LinkColumns<D, Real>& columns, const LinkPack<D>& pack, int
 }
 
 template <int D, class Real> constexpr LinkKernels<D, Real> link_kernels() {
-    using Columns = LinkColumns<D, Real>;
-    return {
-        .factorise = [](const Columns& columns, const LinkPack<D>& pack,
-                        int only) { each_lane(columns, pack, only, [](auto& projection) { projection.factorise(); }); },
-        .velocities =
-            [](const Columns& columns, const LinkPack<D>& pack, int only) {
-                each_lane(columns, pack, only, [](auto& projection) { projection.velocities(); });
-            },
-        .begin_rows =
-            [](const Columns& columns, const LinkPack<D>& pack, int only) {
-                each_lane(columns, pack, only, [](auto& projection) { projection.begin_rows(); });
-            },
-        .end_rows = [](const Columns& columns, const LinkPack<D>& pack,
-                       int only) { each_lane(columns, pack, only, [](auto& projection) { projection.end_rows(); }); },
-        .lengths = [](const Columns& columns, const LinkPack<D>& pack,
-                      int only) { each_lane(columns, pack, only, [](auto& projection) { projection.lengths(); }); },
-        .again = [](const Columns& columns, const LinkPack<D>& pack,
-                    int only) { each_lane(columns, pack, only, [](auto& projection) { projection.lengths_again(); }); },
-        .restore = [](const Columns& columns, const LinkPack<D>& pack,
-                      int only) { each_lane(columns, pack, only, [](auto& projection) { projection.restore(); }); }};
+    const auto kernel = [](auto work) {
+        return [](const LinkColumns<D, Real>& columns, const LinkPack<D>& pack, int only) {
+            each_lane(columns, pack, only, decltype(work){});
+        };
+    };
+    return {.factorise = kernel([](auto& projection) { projection.factorise(); }),
+            .note = kernel([](auto& projection) { projection.note(); }),
+            .velocities = kernel([](auto& projection) { projection.velocities(); }),
+            .begin_rows = kernel([](auto& projection) { projection.begin_rows(); }),
+            .end_rows = kernel([](auto& projection) { projection.end_rows(); }),
+            .lengths = kernel([](auto& projection) { projection.lengths(); }),
+            .again = kernel([](auto& projection) { projection.lengths_again(); }),
+            .restore = kernel([](auto& projection) { projection.restore(); })};
 }
 
 } // namespace
