@@ -330,9 +330,9 @@ void Play::unless_lost(const std::string& verb, std::function<void()> go_on) {
 
 void Play::answer(std::size_t number) {
     if (!question || number >= question->answers.size()) return;
-    const auto chosen = std::exchange(question, std::nullopt)->answers[number];
-    tell("answer", {{"answer", chosen.name}});
-    if (chosen.act) chosen.act();
+    const auto taken = std::exchange(question, std::nullopt)->answers[number];
+    tell("answer", {{"answer", taken.name}});
+    if (taken.act) taken.act();
 }
 
 bool Play::answer(std::string_view name) {

@@ -1,3 +1,4 @@
+#include "sinew/scene/reader.h"
 #include "sinew/scene/writer.h"
 #include "sinew/world/measure.h"
 

@@ -33,10 +33,10 @@ void Play::each_pane(const std::function<void()>& act) {
 void Play::switch_pane(std::size_t number) {
     if (number == active_) return;
     const auto& from = session().world();
-    const auto chosen = selected;
+    const auto one = selected;
     active_ = number;
     hovered.reset();
-    select(chosen ? counterpart(from, *chosen, session().world(), view()) : std::nullopt);
+    select(one ? counterpart(from, *one, session().world(), view()) : std::nullopt);
 }
 
 void Play::resize_eyes() {
