@@ -129,19 +129,18 @@ test("a hand throws what a program draws", { timeout: 60_000 }, () =>
         await canvas.scrollIntoViewIfNeeded();
         const box = await canvas.boundingBox();
         const at = (x, y) => [box.x + (x * box.width) / 640, box.y + (y * box.height) / 400];
-        await page.getByRole("button", { name: "go on" }).click();
+        await page.waitForFunction(() => window.sinew.views[0].state.steps === 5);
         await page.mouse.move(...at(170, 230));
-        await page.mouse.down();
+        await page.mouse.down(); // before the stick moves on
+        await page.getByRole("button", { name: "go on" }).evaluate((button) => button.click());
+        await page.waitForFunction(() => window.sinew.views[0].state.steps > 5);
         await page.mouse.move(...at(560, 80), { steps: 10 });
-        await page.waitForTimeout(700);
-        await page.evaluate(() => window.sinew.views[0].state);
-        const painted = await page.evaluate(() => {
+        await page.waitForFunction(() => { // an end is where the hand is
             const canvas = document.querySelector(".live canvas"), pen = canvas.getContext("2d");
             const { data } = pen.getImageData(Math.round(canvas.width * 0.76), 0, Math.round(canvas.width * 0.24), Math.round(canvas.height * 0.45));
             return data.some((value, i) => i % 4 === 2 && data[i - 2] > 200 && value < 80);
         });
         await page.mouse.up();
-        assert.ok(painted, "an end is where the hand is");
     }));
 
 test("a challenge is checked, and what is done is kept", { timeout: 120_000 }, () =>
