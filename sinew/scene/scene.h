@@ -72,14 +72,18 @@ struct ViewSection {
 
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit(self.size, Field{.name = "size", .help = "Width and height in pixels", .low = 1, .high = 16384});
-        visit(self.center, Field{.name = "center",
-                                 .help = "Middle of the picture (2D); left out: half the size in px, else the origin",
-                                 .unit = unit::length});
-        visit(self.height, Field{.name = "height",
-                                 .help = "Height of the visible part of the scene (2D)",
-                                 .unit = unit::length,
-                                 .low = 1e-6,
-                                 .high = 1e8});
+        visit(
+            self.center,
+            Field{.name = "center",
+                  .help = "Middle of the picture (2D); left out: half the size in px, else the middle of what is shown",
+                  .unit = unit::length});
+        visit(
+            self.height,
+            Field{.name = "height",
+                  .help = "Height of the visible part of the scene (2D); left out: the size in px, else what shows all",
+                  .unit = unit::length,
+                  .low = 1e-6,
+                  .high = 1e8});
         visit(self.camera, Field{.name = "camera", .help = "Camera of a 3D scene"});
         visit(self.theme,
               Field{.name = "theme", .help = "Default colours, for parts without looks", .choices = themes});
