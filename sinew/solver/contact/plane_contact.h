@@ -7,6 +7,7 @@
 #include "sinew/solver/substep_mover.h"
 
 #include <optional>
+#include <span>
 
 /// Contact of a swept particle with a plane; a collider is a plane at each contact.
 namespace sinew::detail {
@@ -67,14 +68,10 @@ template <int D, class Real> class PlaneContact {
         if (!is_held(slot)) return 0;
         const Row row = swept_.row_of[slot];
         const auto [restitution, friction] = surface;
-        Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[row]);
-        if (!(depth > Real(0))) return 0;
         if (!begun) begun = plane.depth_of(swept_.position_at(slot), p_.radius[row]);
         const auto forced = forcing_on(world_, row, swept_.position_at(slot)).acceleration;
-        if (*begun > Real(0)) {
-            depth -= depth_left(*begun, norm(forced), mover_.h);
-            if (!(depth > Real(0))) return 0;
-        }
+        const Real depth = depth_of(plane, slot, *begun, forced);
+        if (!(depth > Real(0))) return 0;
         if (!swept_.bodies.touched.empty()) swept_.bodies.touched[slot] = 1;
         auto& blows = swept_.blows[slot];
         if (blows.count == 0) blows.displacement = swept_.displacement_at(slot);
@@ -92,7 +89,34 @@ template <int D, class Real> class PlaneContact {
         return stopped;
     }
 
+    /// Moves a particle that several surfaces hold until none lacks anything: each push may end behind another surface.
+    /// Calls visit(contact, normal correction). `contacts`: plane and depth at the start of the substep.
+    template <class Contact, class Visit>
+    void settle(std::span<const Contact> contacts, Row slot, Visit&& visit) const {
+        constexpr int enough = 32;         // in a valley of 30 degrees
+        constexpr Real exact = Real(1e-3); // of the first correction
+        const auto forced = forcing_on(world_, swept_.row_of[slot], swept_.position_at(slot)).acceleration;
+        Real first = 0;
+        for (int i = 0; i < enough; ++i) {
+            Real most = 0;
+            for (const auto& contact : contacts) {
+                const Real lacking = depth_of(contact.plane, slot, contact.begun, forced);
+                if (!(lacking > Real(0))) continue;
+                mover_.displace_at(slot, contact.plane.normal * lacking);
+                visit(lacking);
+                most = max(most, lacking);
+            }
+            first = max(first, most);
+            if (most <= exact * first) return;
+        }
+    }
+
   private:
+    /// Depth of a particle at the end of the substep, beyond what an old overlap may keep.
+    Real depth_of(const HalfSpace<D, Real>& plane, Row slot, Real begun, const Vec<D, Real>& forced) const {
+        const Real depth = plane.depth_of(mover_.point_at(slot), p_.radius[swept_.row_of[slot]]);
+        return begun > Real(0) && depth > Real(0) ? depth - depth_left(begun, norm(forced), mover_.h) : depth;
+    }
     struct Blow {
         Real away = 0;      ///< displacement in a substep after the blow
         Real departure = 0; ///< from the surface at the end of the substep
