@@ -5,6 +5,7 @@
 #include "sinew/collide/segment.h"
 #include "sinew/collide/surface_point.h"
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -35,6 +36,10 @@ template <class Real> struct ChainEdge {
         surface.distance = dot(n, point - a);
         return surface;
     }
+
+    std::array<Vector, 2> corners() const { return {a, b}; }
+    /// True for contacts that are not at an end.
+    bool is_inside(const SurfacePoint<2, Real>& surface) const { return surface.feature % 3 == 0; }
 
     /// False for a contact that is another edge's: a corner counts for the edge that ends there, and only for
     /// directions between the normals of both its edges. Rolling over a flat corner is then smooth.

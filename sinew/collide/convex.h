@@ -50,18 +50,26 @@ std::optional<Impact<D, Real>> sweep(const Part& part, const Vec<D, Real>& a, co
     }
 }
 
-/// First contact of a moving sphere; of a ray for radius 0.
+/// First contact of a moving sphere; of a ray for radius 0. A step that ends on the part is a contact, whichever normal
+/// a corner has there: that of the plane which the step has reached.
 template <class Part, int D, class Real>
 std::optional<Impact<D, Real>> sweep(const Part& part, const Vec<D, Real>& from, const Vec<D, Real>& displacement,
                                      Real radius) {
     constexpr int max = 64;
     const Real rounding = Real(16) * std::numeric_limits<Real>::epsilon() * (norm(from) + norm(displacement) + radius);
     Real time = 0;
+    SurfacePoint<D, Real> reached;
     for (int i = 0;; ++i) {
-        const auto surface = part.nearest(from + displacement * time);
+        auto surface = part.nearest(from + displacement * time);
         const Real speed = -dot(surface.normal, displacement), gap = surface.distance - radius;
-        if (!(speed > Real(0))) return std::nullopt;
+        if (!(speed > Real(0))) {
+            constexpr Real grain = 4;
+            if (i == 0 || gap > grain * rounding) return std::nullopt;
+            surface.normal = reached.normal, surface.feature = reached.feature;
+            return Impact<D, Real>{time, surface};
+        }
         if (gap <= rounding || i == max) return Impact<D, Real>{time, surface};
+        reached = surface;
         time += gap / speed;
         if (!(time <= Real(1))) return std::nullopt;
     }

@@ -50,8 +50,10 @@ template <int D, class Real> struct HeightField {
     struct Range {
         std::uint32_t first, last;
     };
-    /// Cells between the grid lines 0 to lines - 1 that [low, high] touches.
+    /// Cells between the grid lines 0 to lines - 1 that [low, high] touches, and those beside a line that is near: on
+    /// an edge or a corner all triangles around it count.
     Range cells(Real low, Real high, std::uint32_t lines) const {
+        low -= share_behind<Real> * spacing, high += share_behind<Real> * spacing;
         const Real max = lines > 0 ? Real(lines - 1) : Real(0);
         const auto first = clamp(std::floor(low / spacing), Real(0), max);
         const auto last = clamp(std::floor(high / spacing) + Real(1), Real(0), max);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/collide/cover.h"
+#include "sinew/collide/part_owner.h"
 
 #include <array>
 
@@ -45,8 +46,8 @@ template <int D, class Real, class T = Real> class MovingCollider {
         const Spheres spheres{begun, ended, radius, margin};
         std::visit(
             [&]<class Held>(const Held& shape) {
-                if constexpr (IsSurface<Held> && D == 3)
-                    visit_exposed_parts(shape, near, spheres, visit);
+                if constexpr (IsSurface<Held>)
+                    visit_surface(shape, near, spheres, visit);
                 else
                     visit_parts(shape, near, [&](const auto& part) {
                         const auto& exact = part.template as<T>();
@@ -85,41 +86,56 @@ template <int D, class Real, class T = Real> class MovingCollider {
                 begins_in_front(surface, distance, spheres.begun, spheres.ended - spheres.begun, spheres.radius)};
     }
 
-    /// Contacts with the triangles of a surface. An edge or a corner counts once, and only where no triangle that
-    /// reaches it is nearer: a flat surface has no edges. Beyond `most` contacts all count.
+    /// Contacts with the parts of a surface (part_owner.h). Of a swept sphere, parts that it touches at its first
+    /// impact count there, others at their own impact, or at its end. Beyond `most` parts all count.
     template <class Surface, class Visit>
-    void visit_exposed_parts(const Surface& shape, const BoundingBox<D, Real>& near, const Spheres& spheres,
-                             Visit& visit) const {
+    void visit_surface(const Surface& shape, const BoundingBox<D, Real>& near, const Spheres& spheres,
+                       Visit& visit) const {
         constexpr std::size_t most = 32;
         using Part = decltype(std::declval<const typename Surface::Part&>().template as<T>());
-        struct Found {
-            Part part;
-            SurfacePoint<D, T> surface;
-        };
-        std::array<Found, most> found;
+        std::array<FoundPart<Part, Vector>, most> found;
         std::size_t count = 0;
+        std::optional<T> first;
+        T rounding = rounding_of(spheres);
+        const auto& [begun, ended, radius, margin] = spheres;
+        const T within = radius + margin;
+        const auto take = [&](const auto& surface, const auto& part) {
+            if (const auto left = held(part, surface, spheres)) visit(contact_at(*left, part, spheres));
+        };
         visit_parts(shape, near, [&](const auto& part) {
             const auto exact = part.template as<T>();
-            const auto surface = contact_of(exact, spheres);
-            if (!surface) return;
-            if (count == most) return void(visit(contact_at(*surface, exact, spheres)));
-            found[count++] = {exact, *surface};
+            if (is_passed(exact, spheres)) return;
+            const auto impact = impact_on(exact, spheres);
+            const bool ends_near = impact || is_near(exact, ended, spheres, rounding);
+            if (!ends_near && !is_near(exact, begun, spheres, rounding)) return;
+            const auto center = impact ? begun + (ended - begun) * impact->time : ends_near ? ended : begun;
+            if (count == most) return take(exact.nearest(center), exact);
+            if (impact && !(first && *first <= impact->time)) first = impact->time;
+            for (const auto& corner : exact.corners()) rounding = max(rounding, grain * (norm(begun) + norm(corner)));
+            found[count++] = {exact, center};
         });
-        const auto covers = [&](const Found& other, const Found& one, bool is_before) {
-            const auto& [point, normal, distance, feature] = one.surface;
-            const auto center = point + normal * distance;
-            const T far = norm(center) + absolute(distance),
-                    rounding = T(8) * std::numeric_limits<Real>::epsilon() * far;
-            const T there = other.part.nearest(center).distance;
-            return absolute(other.part.nearest(point).distance) <= T(8) * rounding &&
-                   there < distance + (is_before ? rounding : -rounding);
-        };
-        for (std::size_t i = 0; i < count; ++i) {
-            bool is_covered = false;
-            for (std::size_t k = 0; k < count && !is_covered && !found[i].part.is_inside(found[i].surface); ++k)
-                is_covered = k != i && covers(found[k], found[i], k < i);
-            if (!is_covered) visit(contact_at(found[i].surface, found[i].part, spheres));
-        }
+        if (first)
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto center = begun + (ended - begun) * *first;
+                if (found[i].part.nearest(center).distance <= within + reach * rounding) found[i].center = center;
+            }
+        const PartOwner<D, T, Part> owner({found.data(), count}, rounding);
+        for (std::size_t i = 0; i < count; ++i)
+            if (const auto surface = owner.contact(i)) take(*surface, found[i].part);
+    }
+    /// True if a sphere touches a part, or is behind it beyond an edge: in a valley a part has no face there.
+    template <class Part>
+    static bool is_near(const Part& part, const Vector& center, const Spheres& spheres, T rounding) {
+        const auto surface = part.nearest(center);
+        const T within = spheres.radius + spheres.margin;
+        if (surface.distance < within + rounding) return true;
+        return !part.is_inside(surface) && dot(part.normal(), center - part.a) <= rounding &&
+               surface.distance < depth_of(part, spheres.begun, spheres.ended - spheres.begun, within);
+    }
+    static constexpr T grain = T(4) * std::numeric_limits<Real>::epsilon();
+    static constexpr T reach = 8; ///< rounding errors of a sweep
+    static T rounding_of(const Spheres& spheres) {
+        return grain * (norm(spheres.begun) + norm(spheres.ended - spheres.begun) + spheres.radius + spheres.margin);
     }
 
     Vector displacement_of(const Vector& local) const {
@@ -127,39 +143,47 @@ template <int D, class Real, class T = Real> class MovingCollider {
     }
 
     template <class Part> std::optional<SurfacePoint<D, T>> contact_of(const Part& part, const Spheres& spheres) const {
-        constexpr T half = T(0.5);
-        const auto& [begun, ended, radius, margin] = spheres;
-        const T within = radius + margin;
-        const auto displacement = ended - begun;
-        if (one_sided<Part>() && part.nearest(begun).distance < -depth_of(part, begun, displacement, within))
-            return std::nullopt;
-        std::optional<SurfacePoint<D, T>> surface;
-        if (dot(displacement, displacement) > square(half * within))
-            if (const auto impact = sweep(part, begun, displacement, within)) surface = impact->surface;
-        if (!surface) surface = part.nearest(ended);
-        const auto touches = [&] { return surface && dot(surface->normal, ended - surface->point) < within; };
-        if (!touches() || !owns(part, *surface) || !collider_.is_solid_along(cast<Real>(surface->normal)))
-            return std::nullopt;
-        surface = cover_.exposed(collider_, part, after_, *surface, radius);
-        return touches() ? surface : std::nullopt;
+        const auto impact = impact_on(part, spheres);
+        return held(part, impact ? impact->surface : part.nearest(spheres.ended), spheres);
     }
-    /// Depth behind a one-sided part from which a sphere is still pushed out: contacts give a little.
+    /// First contact of a sphere whose motion is long against its radius.
+    template <class Part> std::optional<Impact<D, T>> impact_on(const Part& part, const Spheres& spheres) const {
+        constexpr T half = T(0.5);
+        const auto displacement = spheres.ended - spheres.begun;
+        const T within = spheres.radius + spheres.margin;
+        if (!(dot(displacement, displacement) > square(half * within))) return std::nullopt;
+        return sweep(part, spheres.begun, displacement, within);
+    }
+    /// The contact that acts at a surface, unless another solid covers it.
+    template <class Part>
+    std::optional<SurfacePoint<D, T>> held(const Part& part, const SurfacePoint<D, T>& surface,
+                                           const Spheres& spheres) const {
+        const T within = spheres.radius + spheres.margin;
+        const auto touches = [&](const SurfacePoint<D, T>& contact, T slop = 0) {
+            return dot(contact.normal, spheres.ended - contact.point) < within + slop;
+        };
+        // A centre on an edge, to rounding, may touch the other face.
+        if (!touches(surface, reach * (rounding_of(spheres) + grain * norm(after_.position))) ||
+            !collider_.is_solid_along(cast<Real>(surface.normal)))
+            return std::nullopt;
+        const auto left = cover_.exposed(collider_, part, after_, surface,
+                                         {spheres.radius, norm(spheres.ended - spheres.begun) + spheres.margin});
+        return left && touches(*left) ? left : std::nullopt;
+    }
+    template <class Part> bool is_passed(const Part& part, const Spheres& spheres) const {
+        const auto& [begun, ended, radius, margin] = spheres;
+        return part.nearest(begun).distance < -depth_of(part, begun, ended - begun, radius + margin);
+    }
+    /// Depth behind a part of a surface from which a sphere is still pushed out: contacts give a little.
     template <class Part>
     static T depth_of(const Part& part, const Vector& begun, const Vector& displacement, T radius) {
         constexpr T half = T(0.5), little = T(64) * std::numeric_limits<T>::epsilon(), some = share_behind<T>;
-        T size = 0;
-        if constexpr (one_sided<Part>()) size = norm(part.b - part.a);
-        return half * radius + little * norm(begun) + some * (norm(displacement) + size);
+        return half * radius + little * norm(begun) + some * (norm(displacement) + norm(part.b - part.a));
     }
     bool begins_in_front(const SurfacePoint<D, T>& surface, T distance, const Vector& begun, const Vector& displacement,
                          T radius) const {
         return one_way_ == Vector{} ||
                comes_from_outside(distance, dot(surface.normal, displacement), radius, norm(displacement), norm(begun));
-    }
-    template <class Part> static constexpr bool one_sided() {
-        return requires(const Part& part, SurfacePoint<D, T> surface) {
-            part.owns(surface);
-        };
     }
 };
 

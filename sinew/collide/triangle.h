@@ -3,6 +3,8 @@
 #include "sinew/collide/segment.h"
 #include "sinew/collide/surface_point.h"
 
+#include <array>
+
 namespace sinew::collide {
 
 /// Triangle of a surface in space, solid behind it: its corners are counter-clockwise seen from the free side.
@@ -26,6 +28,23 @@ template <class Real> struct Triangle {
         return best;
     }
 
+    std::array<Vector, 3> corners() const { return {a, b, c}; }
+    /// Directions of the two edges along which the triangle ends at a point of its rim.
+    std::array<Vector, 2> sides_at(const Vector& point, Real rounding) const {
+        const std::array<Vector, 4> around{a, b, c, a};
+        for (std::size_t i = 0; i < 3; ++i)
+            if (norm(around[i] - point) <= rounding)
+                return {direction(around[i + 1] - around[i]), direction(around[i == 0 ? 2 : i - 1] - around[i])};
+        std::size_t nearest = 0;
+        std::array<Real, 3> far{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto &p = around[i], &q = around[i + 1];
+            far[i] = norm(point - p - (q - p) * nearest_parameter(p, q, point));
+            if (far[i] < far[nearest]) nearest = i;
+        }
+        const auto along = direction(around[nearest + 1] - around[nearest]);
+        return {along, -along};
+    }
     /// True for contacts that are not on an edge.
     bool is_inside(const SurfacePoint<3, Real>& surface) const { return surface.normal == normal(); }
     /// False for contacts from behind.

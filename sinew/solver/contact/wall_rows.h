@@ -136,7 +136,10 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         const collide::SurfacePoint<D, Real> local{pose.to_local(surface.point), pose.turn_back(surface.normal),
                                                    surface.distance, surface.feature};
         const auto left = std::visit(
-            [&](const auto& shape) { return cover.exposed(collider, shape, pose, local, radius); }, collider.shape);
+            [&](const auto& shape) {
+                return cover.exposed(collider, shape, pose, local, {radius, Real(0)});
+            },
+            collider.shape);
         return left ? std::optional(collide::to_world(pose, *left)) : std::nullopt;
     }
     /// A link along a flat face of a solid touches it at both ends of the part above it, across the link; ends of the
