@@ -228,10 +228,11 @@ template <class Real> struct Capstan {
     FlatWorld<Real> world;
     std::vector<ParticleId> rope;
 
-    /// `weight`: mass of the rope, of the left load.
-    Capstan(double friction, double ratio, bool touches_figures, double weight = 0.2) {
-        constexpr double post = 1, radius = 0.02, around = post + radius;
-        constexpr int links = 16; // on the half circle
+    /// `weight`: mass of the rope, of the left load. `links`: on the half circle.
+    Capstan(double friction, double ratio, bool touches_figures, double weight = 0.2, double radius = 0.02,
+            int links = 16) {
+        constexpr double post = 1;
+        const double around = post + radius;
         const double link = 2 * around * std::sin(pi<double> / links / 2);
         const int tail = int(2 / link);
         fall(world, 10);
@@ -289,6 +290,24 @@ TYPED_TEST(Figures2, ALightRopeRoundAPostHoldsTheSameLoad) {
         EXPECT_NEAR(holds.slip(), 0, 5e-3) << weight;
         EXPECT_GT(slips.slip(), 0.2) << weight;
     }
+}
+
+// The law does not depend on how light the rope is, nor on how thick: of 600 to 2000 times lighter particles it holds
+// from the first instant on, and slips by the excess.
+TYPED_TEST(Figures2, ARopeOfAnyWeightRoundAPostHoldsFromTheFirstInstant) {
+    constexpr double friction = 0.3, law = 2.566; // exp(mu pi)
+    for (const double radius : {0.02, 1e-5})
+        for (const double weight : {0.3, 0.092}) {
+            Capstan<TypeParam> holds(friction, 0.95 * law, true, weight, radius);
+            Capstan<TypeParam> slips(friction, 1.05 * law, true, weight, radius);
+            const double before = double((*position_of(holds.world, holds.rope.back()))[1]);
+            EXPECT_NEAR(holds.slip(), 0, 2e-3) << weight << ' ' << radius;
+            EXPECT_NEAR(double((*position_of(holds.world, holds.rope.back()))[1]), before, 0.01)
+                << weight << ' ' << radius;
+            const double way = slips.slip();
+            EXPECT_GT(way, 0.2) << weight << ' ' << radius;
+            EXPECT_LT(way, 1.2) << weight << ' ' << radius;
+        }
 }
 
 TYPED_TEST(Figures2, ABulletDoesNotCrossACrate) {

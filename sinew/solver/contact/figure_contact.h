@@ -99,24 +99,26 @@ template <int D, class Real> class FigureContact {
     /// A pass over all rows for which acts(origin, change of the gap), those kept with softness for the mass they
     /// carry; then the links are held.
     template <class Soften, class Acts> void solve_rows(const Soften& soften, const Soft& others, const Acts& acts) {
-        const auto kept = soften(Real(1));
+        const auto soft_of = [&, kept = soften(Real(1))](const RowT& row) {
+            return row.load > Real(1) ? soften(row.load) : kept;
+        };
         room().projector.begin_rows(state_, threads_);
         const auto rows = rows_on_clusters();
         each_part([&](Part& part) {
             rows.each(part, [&](RowT& row, const Origin& origin, const Vector& surface) {
                 if (!row.is_held && !row.is_repeated && acts(origin, [&] { return rows.change(row, surface); }))
-                    rows.solve(row, row.keeps ? kept : others, surface);
+                    rows.solve(row, row.keeps ? soft_of(row) : others, surface);
             });
         });
         RowIslands<D, Real>(room(), state_).solve(rows, soften, [&](const RowT& row, const Origin& origin) {
             return acts(origin, [&] { return rows.change(row, origin.surface_displacement); });
         });
         room().projector.end_rows(state_, threads_);
-        solve_held(kept, acts);
+        solve_held(soft_of, acts);
     }
     /// Rows beside heavy loads, until the impulses on each figure agree: friction along a rope adds up from post to
     /// post.
-    template <class Acts> void solve_held(const Soft& soft, const Acts& acts) {
+    template <class SoftOf, class Acts> void solve_held(const SoftOf& soft_of, const Acts& acts) {
         constexpr int most = 32;
         constexpr Real exact = Real(0.02);
         Delassus<D, Real> figures(room(), state_, rows_);
@@ -133,7 +135,7 @@ template <int D, class Real> class FigureContact {
                 [&](std::size_t i, RowT& row, const Origin& origin) {
                     const auto& surface = origin.surface_displacement;
                     const auto change = [&] { return dot(row.normal, nodes_of(i).displacement() - surface); };
-                    if (acts(origin, change)) rows_.solve(row, nodes_of(i), soft, surface);
+                    if (acts(origin, change)) rows_.solve(row, nodes_of(i), soft_of(row), surface);
                 },
                 [&](std::size_t i, RowT& row, const Vector& impulse) { rows_.add(row, nodes_of(i), impulse); });
             figures.finish();

@@ -30,12 +30,15 @@ template <int D, class Real> class RowWriter {
     Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
 
-    /// True for a particle of a figure with loads so much heavier that a row would have to act a thousand times before
-    /// these feel it: a rope that carries somebody over an edge.
-    bool is_light(Row slot) const {
-        constexpr Real much = 1000;
-        return !room_.projector.is_in_cluster(slot) && room_.projector.heaviest(slot) * state_.mobility[slot] > much;
+    /// Heaviest load of a figure, as a multiple of a particle's mass: what a row there carries. A row of a rope that
+    /// carries somebody over an edge, as soft as for the rope alone, would let it sink in as many times deeper.
+    Real load_on(Row slot) const {
+        return room_.projector.is_in_cluster(slot) ? Real(1) : room_.projector.heaviest(slot) * state_.mobility[slot];
     }
+    /// Share of the load that is felt: limbs of bodies, up to ten times as heavy as each other, rest on soft rows.
+    static constexpr Real share_of_load = Real(0.1);
+    /// Load from which the passes of a substep no longer suffice: a row acts on the whole figure.
+    static constexpr Real much = 1000;
     /// Two figures are turned at arms that meet, however far apart they are when the blow is foreseen: what one
     /// receives of angular momentum the other gives.
     Real arm_of(const ContactRowT& row, const Origin& origin) const {
@@ -70,7 +73,9 @@ template <int D, class Real> class RowWriter {
             const auto slot = row.slot[std::size_t(i)];
             row.keeps = row.keeps && room_.is_exact[slot];
             row.acts_on_clusters = row.acts_on_clusters || room_.projector.is_in_cluster(slot);
-            if (is_light(slot)) row.is_held = true, component = room_.projector.links().component_of[slot];
+            const Real load = load_on(slot);
+            row.load = max(row.load, share_of_load * load);
+            if (load > much) row.is_held = true, component = room_.projector.links().component_of[slot];
         }
         row.is_held = row.is_held && row.keeps && part_.held.size() < most_held;
         for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
