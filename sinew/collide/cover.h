@@ -10,13 +10,13 @@ namespace sinew::collide {
 /// Solids beside each other: a sphere that slides over flush boxes meets neither the corners nor the faces between
 /// them. A contact at p with the normal n, of a sphere about c, belongs to another solid
 ///
-///     that reaches a corner p and is nearer to c than p is, or as near and before it in the list, or
+///     that reaches a corner p and is nearer to c than p, or as near and earlier in the list, or
 ///     that has p inside, or on a face that looks against n     (p is not on the surface of the union).
 ///
-/// Surfaces that cross leave p on the union's surface: both hold what is between them.
+/// Surfaces that cross leave p on the union's surface: both hold spheres between.
 template <int D, class Real, class T> class Cover {
   public:
-    /// Sphere of a contact. `motion`: length of its displacement, by which it may be behind what holds it.
+    /// Sphere of a contact. `motion`: length of its displacement, by which the sphere may be behind its support.
     struct Ball {
         T radius = 0, motion = 0;
     };
@@ -68,8 +68,8 @@ template <int D, class Real, class T> class Cover {
         return &other != &owner && !other.is_sensor && touch(other.filter, filter_) &&
                (other.one_way == Vec<D, Real>{} || owner.one_way != Vec<D, Real>{});
     }
-    /// Calls visit(part, its pose, index of its collider) with the parts of other solids near a point, until it returns
-    /// true; returns true then.
+    /// Calls visit(part, its pose, index of its collider) with the parts of other solids near a point, until one
+    /// returns true; returns true then.
     template <class Visit>
     bool any_beside(const Collider<D, Real>& owner, const Vec<D, T>& point, T little, Visit&& visit) const {
         BoundingBox<D, Real> near;
@@ -130,7 +130,7 @@ template <int D, class Real, class T> class Cover {
         }
     }
     /// True if the other solid ends within the motion of the sphere, and the owner's surface goes on there: a wall that
-    /// stands beside a floor, met by what has sunk into the floor.
+    /// stands beside a floor, met by a sphere sunk into the floor.
     template <class Part, class Other>
     bool ends_beside(const Collider<D, Real>& owner, const Part& part, const Pose<D, T>& pose, const Other& other,
                      const Pose<D, T>& there, const SurfacePoint<D, T>& contact, const Ball& ball, T little) const {

@@ -50,7 +50,7 @@ template <int D, class Real> struct HeightField {
     struct Range {
         std::uint32_t first, last;
     };
-    /// Cells between the grid lines 0 to lines - 1 that [low, high] touches, and those beside a line that is near: on
+    /// Cells between the grid lines 0 to lines - 1 that [low, high] touches, and cells beside a near line: on
     /// an edge or a corner all triangles around it count.
     Range cells(Real low, Real high, std::uint32_t lines) const {
         low -= share_behind<Real> * spacing, high += share_behind<Real> * spacing;

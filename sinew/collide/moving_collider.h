@@ -86,8 +86,8 @@ template <int D, class Real, class T = Real> class MovingCollider {
                 begins_in_front(surface, distance, spheres.begun, spheres.ended - spheres.begun, spheres.radius)};
     }
 
-    /// Contacts with the parts of a surface (part_owner.h). Of a swept sphere, parts that it touches at its first
-    /// impact count there, others at their own impact, or at its end. Beyond `most` parts all count.
+    /// Contacts with the parts of a surface (part_owner.h). Of a swept sphere, parts touched at the first impact
+    /// count there, others at their own impact, or at the end. Beyond `most` parts all count.
     template <class Surface, class Visit>
     void visit_surface(const Surface& shape, const BoundingBox<D, Real>& near, const Spheres& spheres,
                        Visit& visit) const {
@@ -123,7 +123,7 @@ template <int D, class Real, class T = Real> class MovingCollider {
         for (std::size_t i = 0; i < count; ++i)
             if (const auto surface = owner.contact(i)) take(*surface, found[i].part);
     }
-    /// True if a sphere touches a part, or is behind it beyond an edge: in a valley a part has no face there.
+    /// True if a sphere touches a part, or is behind one beyond an edge: in a valley a part has no face there.
     template <class Part>
     static bool is_near(const Part& part, const Vector& center, const Spheres& spheres, T rounding) {
         const auto surface = part.nearest(center);

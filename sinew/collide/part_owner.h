@@ -18,10 +18,10 @@ template <class Part, class Vector> struct FoundPart {
 /// nearest to it, and s the signed distance of c from the plane of the part:
 ///
 ///     q on the face          the part's own; of parts that meet at a convex edge and have c behind, the nearest's
-///     q on an edge or corner, which is nearest from the front      the first part's of those that reach it
+///     q on an edge or corner, which is nearest from the front      the first part's of all that reach the point
 ///     q on an edge or corner, which is nearest from behind         each of these parts': c is in a valley
 ///
-/// All parts see the same centre, and their order is total: of those that tie one remains.
+/// All parts see the same centre, and their order is total: one of a tie remains.
 template <int D, class T, class Part> class PartOwner {
   public:
     using Vector = Vec<D, T>;
@@ -58,8 +58,8 @@ template <int D, class T, class Part> class PartOwner {
     T from_plane(std::size_t i, const Vector& point) const {
         return dot(found_[i].part.normal(), point - found_[i].part.a);
     }
-    /// True for a part behind which the centre is, and behind another one that it meets at a convex edge or a corner
-    /// by less.
+    /// True for a part behind which the centre is, and by less behind another one across a convex edge or a
+    /// corner.
     bool is_behind_another(std::size_t i, T distance) const {
         const auto& [part, center] = found_[i];
         for (std::size_t k = 0; k < found_.size(); ++k) {
@@ -124,7 +124,7 @@ template <int D, class T, class Part> class PartOwner {
         nearest.distance = from_plane(i, found_[i].center);
         return nearest;
     }
-    /// True if the parts lie all around a point: on the rim of a surface, what is below is behind nothing.
+    /// True if the parts lie all around a point: below the rim of a surface a point is behind nothing.
     bool is_closed(const Fan& fan, const Vector& point) const {
         if constexpr (D == 2) {
             return fan.count > 1;

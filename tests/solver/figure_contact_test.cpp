@@ -292,7 +292,7 @@ TYPED_TEST(Figures2, ALightRopeRoundAPostHoldsTheSameLoad) {
     }
 }
 
-// The law does not depend on how light the rope is, nor on how thick: of 300 and 1000 times lighter particles it holds
+// The law is one for all weights and thicknesses of ropes: of 300 and 1000 times lighter particles a rope holds
 // from the first instant on, and slips by the excess.
 TYPED_TEST(Figures2, ARopeOfAnyWeightRoundAPostHoldsFromTheFirstInstant) {
     constexpr double friction = 0.3, law = 2.566; // exp(mu pi)

@@ -21,7 +21,7 @@ TYPED_TEST_SUITE(JointOfSurface, Precisions);
 
 constexpr double radii[] = {0, 1e-6, 1e-3, 0.05};
 
-/// A loose particle, or one of a figure that touches figures: walls hold them in different ways.
+/// A loose particle, or one of a figure that touches figures: walls hold these in different ways.
 template <int D, class Real>
 ParticleId add_ball(Stepped<D, Real>& world, const Vec<D, Real>& place, const Vec<D, Real>& velocity, double radius,
                     bool is_figure) {
@@ -59,7 +59,7 @@ double depth_behind(double x, double y, double slope) {
 }
 
 // A ball that falls onto the joint of a chain at any speed is held there: in a valley, on a flat joint and on a summit.
-// What a blow of 1000 m/s leaves of an overlap comes out slowly; afterwards it is less than 2 mm.
+// The overlap of a blow of 1000 m/s comes out slowly, to less than 2 mm.
 TYPED_TEST(JointOfSurface, OfAChainHoldsABallOfAnyRadius) {
     using Real = TypeParam;
     int number = 0;
@@ -89,7 +89,7 @@ TYPED_TEST(JointOfSurface, OfAChainHoldsABallOfAnyRadius) {
                     }
 }
 
-// Flush boxes hold a ball that meets their seam exactly, wherever rounding puts the faces.
+// Flush boxes hold a ball that meets a seam exactly, wherever rounding puts the faces.
 TYPED_TEST(Joint, OfFlushBoxesHoldsABallOfAnyRadius) {
     using Real = typename TypeParam::Real;
     int number = 0;
@@ -115,7 +115,7 @@ TYPED_TEST(Joint, OfFlushBoxesHoldsABallOfAnyRadius) {
                         }
 }
 
-// No seam slows down or lifts what slides over it without friction.
+// No seam slows down or lifts a ball that slides without friction.
 TYPED_TEST(Joint, OfFlushBoxesLetsABallOfAnyRadiusSlide) {
     using Real = typename TypeParam::Real;
     constexpr int D = TypeParam::dimension;

@@ -69,8 +69,7 @@ template <int D, class Real> class Room {
     }
 };
 
-/// Largest change in 20 s, as a share. Velocities of the start are not those of figures with links: the first step
-/// makes them so.
+/// Largest change in 20 s, as a share. The first step makes the velocities of the start fit the links.
 template <int D, class Real> double worst_change(Form form, int substeps) {
     const int cases = few_or_many(12, 500);
     double worst = 0;
@@ -92,7 +91,7 @@ TYPED_TEST(KeptEnergy, OfRigidFiguresInARoomStays) {
                 << int(form) << ' ' << substeps;
 }
 
-/// Links do no work, however fast a chain whips: its tip turns by half a radian in one of 8 substeps.
+/// Links do no work, however fast a chain whips: a tip turns by half a radian in one of 8 substeps.
 TYPED_TEST(KeptEnergy, OfChainsInARoomStays) {
     EXPECT_LT((worst_change<TypeParam::dimension, typename TypeParam::Real>(Form::chain, 8)), 5e-2);
     EXPECT_LT((worst_change<TypeParam::dimension, typename TypeParam::Real>(Form::chain, 16)), 1e-3);

@@ -83,7 +83,7 @@ template <int D, class Real> class ColliderSweep {
     };
     static constexpr std::size_t most_held = 16;
 
-    /// The surface that has held the particle, if it has.
+    /// The surface that has held the particle, if any.
     std::optional<HalfSpace<D, Real>> resolve(std::uint32_t index, Row slot,
                                               const collide::ColliderContact<D, Real>& contact) const {
         const auto& collider = world_.colliders[index];

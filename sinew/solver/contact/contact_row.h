@@ -49,7 +49,7 @@ template <int D, class Real> struct ContactRow {
     Real friction = 0;
     Real multiplier = 0; ///< h newton seconds, >= 0
     Real max = 0;        ///< largest multiplier in this substep
-    Real load = 1;       ///< mass that the row carries, of what it moves
+    Real load = 1;       ///< mass that the row carries, as a multiple of the one moved
     Real arm = 0;        ///< at which friction turns balls and links, as a share of their radii; 0: it turns nothing
     std::uint8_t members = 0, levers = 0;
     bool keeps = true; ///< the multiplier outlasts the substep

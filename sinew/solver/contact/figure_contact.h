@@ -175,7 +175,7 @@ template <int D, class Real> class FigureContact {
                                             [](Row s, const Component& component) { return s < component.begin.slot; });
         return (after - 1)->is_elastic;
     }
-    /// Loads work against the links of what they press.
+    /// Loads work against links.
     void note_loads() {
         for (const auto& part : room().parts.list)
             for (const auto& row : part.rows)

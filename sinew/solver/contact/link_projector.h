@@ -50,9 +50,9 @@ template <int D, class Real> class LinkProjector {
         run(kernels_->note, state, threads);
     }
     void project_velocities(SweepState<D, Real>& state, int threads) { run(kernels_->velocities, state, threads); }
-    /// After a blow on a particle: the energy that its component keeps.
+    /// After a blow on a particle: energy for the component to keep.
     void note_blow(const SweepState<D, Real>& state, Row slot) { run_at(slot, kernels_->note, state); }
-    /// A load of contact on a particle, of unknown work: its component may lose energy in the substep.
+    /// A load of contact on a particle, of unknown work: the component may lose energy in the substep.
     void note_load(Row slot) {
         if (links_.component_of[slot] == RigidLinks<D, Real>::none) return;
         const auto [pack, lane] = packs_.place_of(links_.component_of[slot]);

@@ -160,7 +160,7 @@ template <int D, class Real> class Rebounds {
             if (one.strikes == strikes_of_row || origin.restitution == Real(0)) continue;
             const auto away = rebound_after(-one.before, origin.restitution, resting_);
             if (!away) continue;
-            one.target = -limit::measure<Real>; // what it meets later in the substep gives it its own blow
+            one.target = -limit::measure<Real>; // the next contact of the substep strikes by itself
             if (!(gap + one.before < Real(0))) continue;
             one.target = *away + (Real(1) + origin.restitution) * one.added;
             ++one.strikes;

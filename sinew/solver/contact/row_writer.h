@@ -30,8 +30,8 @@ template <int D, class Real> class RowWriter {
     Vector position(Row row) const { return state_.position_at(state_.slot_of[row]); }
     Vector displacement(Row row) const { return state_.displacement_at(state_.slot_of[row]); }
 
-    /// Heaviest load of a figure, as a multiple of a particle's mass: what a row there carries. A row of a rope that
-    /// carries somebody over an edge, as soft as for the rope alone, would let it sink in as many times deeper.
+    /// Heaviest load of a figure, as a multiple of a particle's mass. Under a person a rope as soft as for the rope
+    /// alone would sink in as many times deeper.
     Real load_on(Row slot) const {
         return room_.projector.is_in_cluster(slot) ? Real(1) : room_.projector.heaviest(slot) * state_.mobility[slot];
     }

@@ -70,8 +70,8 @@ template <int D, class Real, class V> class LinkEnergy : protected LinkExchange<
         lane::Inertia<D, V> inertia_;
     };
 
-    /// Loads displacements that contacts and guards may have shortened since the lengths were corrected: what that
-    /// took is not due.
+    /// Loads displacements that contacts and guards may have shortened since the lengths were corrected: the loss is
+    /// not due.
     void load_shortened() {
         constexpr double exact = 1e-5; // rounding of floats is no loss
         const V whole = energy_in(frame());
@@ -93,7 +93,7 @@ template <int D, class Real, class V> class LinkEnergy : protected LinkExchange<
                 sum = sum + displacement(i).at[c] * particle(i, Fields::mass) * number(columns_.fall[int(c)]);
         return sum;
     }
-    /// Energy due at least, with half of what gravity has given to the velocities in the substep taken back; none where
+    /// Energy due at least, without half of gravity's work on the velocities in the substep; none where
     /// other forces act, and none for ropes, which lose some as they snap taut.
     V with_fall() const {
         if (pack_.has_ropes || !columns_.only_falls) return number(LinkPack<D>::no_energy);
@@ -132,8 +132,8 @@ template <int D, class Real, class V> class LinkEnergy : protected LinkExchange<
             });
         }
     }
-    /// Gives motion the energy due: at first that which is not of the rigid body slows down, or becomes faster. What
-    /// rounding leaves of it in a rigid body does not.
+    /// Gives motion the energy due: at first motion apart from the rigid body's slows down, or becomes faster. Rounding
+    /// in a rigid body does not.
     void scale(const Mask& mask, const Body& body, const V& due) const {
         if (!lane::any(mask)) return;
         constexpr double most = 16, rounding = 1e-6;

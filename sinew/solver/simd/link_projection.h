@@ -238,8 +238,8 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
 
     // --- energy ------------------------------------------------------------------------------------------------------
 
-    /// Links do no work: the velocities have the energy that there was before the lengths were corrected, without what
-    /// pushed overlaps out. A rope that snaps taut may lose some.
+    /// Links do no work: the velocities have the energy from before the lengths were corrected, without pushes out of
+    /// overlaps. A rope that snaps taut may lose some.
     [[gnu::flatten, gnu::noinline]] void restore_energy() const {
         constexpr double much = 1.001;
         const Vector drift = frame();
