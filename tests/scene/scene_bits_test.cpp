@@ -8,12 +8,13 @@ namespace {
 
 constexpr Simd instruction_sets[] = {Simd::one, Simd::sse2, Simd::avx2, Simd::avx512};
 
-/// Hash of a scene after eight steps.
-std::uint64_t hash_of(const std::string& scene, const std::string& precision, const SolverOptions& options) {
+/// Hash of a scene after so many steps.
+std::uint64_t hash_of(const std::string& scene, const std::string& precision, const SolverOptions& options,
+                      int steps = 8) {
     auto session = open(scene, "physical", precision);
     if (!session) return 0;
     session->set_options(options);
-    for (int step = 0; step < 8; ++step) session->step();
+    for (int step = 0; step < steps; ++step) session->step();
     return session->report().hash;
 }
 
@@ -30,6 +31,18 @@ TEST(SceneBits, DoNotDependOnInstructionSetsOrThreads) {
                     << scene << ' ' << precision << ", " << name_of(simd) << ", " << threads << " threads";
             }
         }
+}
+
+// Copies of a figure are solved side by side: a blow on one leaves the others alone.
+TEST(SceneBits, OfBlowsDoNotDependOnInstructionSets) {
+    for (const std::string scene : {"newtons_cradle", "polygons"}) {
+        const auto plain = hash_of(scene, "double", {.threads = 1, .simd = Simd::one}, 120);
+        for (const auto simd : instruction_sets) {
+            if (!has_simd(simd)) continue;
+            EXPECT_EQ(hash_of(scene, "double", {.threads = 1, .simd = simd}, 120), plain)
+                << scene << ", " << name_of(simd);
+        }
+    }
 }
 
 } // namespace

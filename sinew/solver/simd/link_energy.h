@@ -72,14 +72,19 @@ template <int D, class Real, class V> class LinkEnergy : protected LinkExchange<
 
     /// Loads displacements that contacts and guards may have shortened since the lengths were corrected: the loss is
     /// not due.
-    void load_shortened() {
+    void load_shortened(const Mask& mask) const {
         constexpr double exact = 1e-5; // rounding of floats is no loss
         const V whole = energy_in(frame());
+        for (std::uint32_t i = 0; i < pack_.particles; ++i) set_particle_vector(i, Fields::added, displacement(i));
         this->load();
+        for (std::uint32_t i = 0; i < pack_.particles; ++i)
+            set_particle_vector(i, Fields::displacement,
+                                blend(mask, displacement(i), particle_vector(i, Fields::added)));
         const V left = energy_in(frame()), lost = left < whole * number(1 - exact) ? whole - left : V{};
         Solution::set_energy(lane::max(Solution::energy() - lost, V{}));
         Solution::set_least_energy(Solution::least_energy() - lost);
     }
+
     // --- work --------------------------------------------------------------------------------------------------------
     //
     // With d the displacements, g gravity and h the substep, energies times 2 h^2: gravity has given the velocities

@@ -39,7 +39,7 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
     }
     void note() {
         load();
-        Solution::set_least_energy(Energy::with_fall());
+        Solution::set_least_energy(live_ ? Energy::with_fall() : Solution::least_energy());
     }
     void velocities() {
         load();
@@ -67,7 +67,7 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
         correct_lengths();
     }
     void lengths_again() {
-        Energy::load_shortened();
+        Energy::load_shortened(live_);
         Clusters::make_rigid(live_);
         correct_lengths();
     }
@@ -75,7 +75,7 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
         const Mask changed = lane::both(live_, measure());
         take_directions(live_);
         if (lane::any(changed)) Clusters::factorise(changed);
-        Energy::load_shortened();
+        Energy::load_shortened(live_);
         const V work = Energy::fall() * number(2);
         project_velocities(live_);
         Energy::add_work(work - Energy::fall());
