@@ -63,6 +63,12 @@ template <class World> void run(World& world, double seconds, double rate = 60) 
     for (int i = 0; i < steps; ++i) step(world, Real(1 / rate));
 }
 
+/// Links each particle to the next by a distance, and the last to the first of a ring.
+template <class World, class Ids> void link_in_turn(World& world, const Ids& ids, bool is_ring = false) {
+    for (std::size_t i = 0; i + 1 < ids.size(); ++i) add<Distance>(world, {ids[i], ids[i + 1]});
+    if (is_ring) add<Distance>(world, {ids[ids.size() - 1], ids[0]});
+}
+
 /// A row of particles from `from`, `spacing` apart, each linked to the next by a distance; unit masses.
 template <class World>
 std::vector<ParticleId> chain(World& world, int particles, typename World::Vector from,
@@ -70,7 +76,7 @@ std::vector<ParticleId> chain(World& world, int particles, typename World::Vecto
     using Real = typename World::Real;
     std::vector<ParticleId> ids;
     for (int i = 0; i < particles; ++i) ids.push_back(add_particle(world, {.position = from + spacing * Real(i)}));
-    for (int i = 0; i + 1 < particles; ++i) add<Distance>(world, {ids[std::size_t(i)], ids[std::size_t(i) + 1]});
+    link_in_turn(world, ids);
     return ids;
 }
 

@@ -60,10 +60,8 @@ template <int D, class Real> class Room {
                         .radius = Real(radius),
                         .figure = figure}));
         }
-        const auto& ids = piece.particles;
-        for (std::size_t i = 0; i + 1 < ids.size(); ++i) sinew::add<Distance>(world, {ids[i], ids[i + 1]});
-        if (form == Form::triangle) sinew::add<Distance>(world, {ids[2], ids[0]});
-        world.figures[figure].particles = ids;
+        link_in_turn(world, piece.particles, form == Form::triangle);
+        world.figures[figure].particles = piece.particles;
         world.figures[figure].pieces.push_back(piece);
         set_contact(world, figure, {.figures = true, .friction = 0, .bounce = 1});
     }
