@@ -636,7 +636,7 @@ SINEW_API sinew_status sinew_player_key(sinew_player player, const char* name, u
  * "duplicate". */
 SINEW_API sinew_status sinew_player_do(sinew_player player, const char* action);
 SINEW_API sinew_status sinew_player_pause(sinew_player player, uint32_t on);
-/* Simulated seconds per real second, 0.01 to 8. */
+/* Simulated seconds per real second, above 0; brought within 0.01 and 8. */
 SINEW_API sinew_status sinew_player_time_scale(sinew_player player, double scale);
 /* Restores a step of the last minute (see sinew_player_state) and pauses. */
 SINEW_API sinew_status sinew_player_go_to(sinew_player player, double step);
