@@ -101,6 +101,7 @@ template <class WorldT> class ContactPoints {
 
     void add(const Kept& contact) {
         const auto& key = contact.key;
+        if (D == 3 && key.collider == none && key.feature == ContactKey::face) return add_on_face(contact);
         const auto side = side_of(key.particle[0], key.particle[1]);
         if (!side || !(contact.multiplier > 0)) return;
         const double force = double(contact.multiplier) * per_substep2_;
@@ -108,6 +109,19 @@ template <class WorldT> class ContactPoints {
             if (const auto other = side_of(key.particle[2], key.particle[3])) add(*side, *other, force);
         } else if (key.collider < plane_bit) {
             if (add(*side, key.collider, force)) held_.push_back({key.particle[0], key.collider});
+        }
+    }
+    void add_on_face(const Kept& contact) {
+        std::array<Vec<D, double>, 4> at;
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (!p_.handles.in_use(contact.key.particle[i])) return;
+            at[i] = cast<double>(p_.position[p_.handles.row_at(contact.key.particle[i])]);
+        }
+        if constexpr (D == 3) {
+            const auto normal = direction(cross(at[1] - at[0], at[2] - at[0]));
+            const double radius = double(p_.radius[p_.handles.row_at(contact.key.particle[3])]);
+            const double force = double(contact.multiplier) * per_substep2_;
+            if (force > 0) points_.push_back({at[3] - normal * radius, normal * force});
         }
     }
     std::optional<Side> side_of(std::uint32_t slot_a, std::uint32_t slot_b) const {

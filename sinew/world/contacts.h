@@ -24,6 +24,7 @@ constexpr bool is_plane(std::uint32_t slot) {
 /// Features in contact, which outlive the motion of rows: slots of particles, of a collider or of a plane.
 struct ContactKey {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
+    static constexpr std::uint32_t face = 3; ///< feature of the corners of a face and a particle, in space
     std::array<std::uint32_t, 4> particle = {none, none, none, none}; ///< slots: of one side, then of the other
     std::uint32_t collider = none;                                    ///< slot of a collider or of a plane
     std::uint32_t feature = 0;

@@ -29,6 +29,7 @@ template <int D, class Real> class CandidateRenewal {
         };
         for (const auto i : list_.astray) search_.each_around_particle(i, add);
         for (const auto i : list_.astray_segments) search_.each_around_segment(i, add);
+        for (const auto i : list_.astray_solids) search_.each_around_solid(i, add);
         merge_by_parts();
         for (const auto i : list_.astray) list_.is_new[i] = 0;
     }
@@ -61,6 +62,12 @@ template <int D, class Real> class CandidateRenewal {
             list_.astray_segments.push_back(i);
             list_.search_radius[particles() + i] = search_.radius_of(s);
         }
+        list_.renewed_solids.clear(), list_.astray_solids.clear();
+        for (std::uint32_t i = 0; i < room_.polyhedra.solids.size(); ++i) {
+            const auto& solid = room_.polyhedra.solids[i];
+            if (search_.is_renewed(solid)) list_.renewed_solids.push_back(i);
+            if (search_.is_new(solid)) list_.astray_solids.push_back(i);
+        }
     }
     void fill_renewed() {
         auto& places = list_.renewed_places;
@@ -79,10 +86,19 @@ template <int D, class Real> class CandidateRenewal {
             balls.push_back(Real(0.5) * distance(a, b) + search_.radius_of(s));
         }
         list_.renewed_segment_grid.fill(places, balls);
+        places.clear(), balls.clear();
+        for (const auto i : list_.renewed_solids) {
+            const auto box = search_.box_in_frame(room_.polyhedra.solids[i]);
+            places.push_back((box.low + box.high) * Real(0.5));
+            balls.push_back(Real(0.5) * distance(box.low, box.high) + search_.radius_of(room_.polyhedra.solids[i]));
+        }
+        list_.renewed_solid_grid.fill(places, balls);
     }
     bool is_new(std::uint32_t feature) const {
         const auto count = particles();
-        return feature < count ? list_.is_new[feature] != 0 : search_.is_new(room_.segments[feature - count]);
+        if (feature < count) return list_.is_new[feature] != 0;
+        return room_.is_solid(feature) ? search_.is_new(room_.solid(feature))
+                                       : search_.is_new(room_.segments[feature - count]);
     }
     /// Former pairs of what has kept to its forecast and those found, in order.
     void merge_by_parts() {

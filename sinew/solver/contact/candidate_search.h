@@ -37,6 +37,23 @@ template <int D, class Real> class CandidateSearch {
         return size_of(s) + skin() + max(way(s.number_a), way(s.number_b));
     }
 
+    /// Solids in space: the box around the corners.
+    Real size_of(const SolidParts& solid) const {
+        Real size = std::numeric_limits<Real>::max();
+        each_corner(solid, [&](std::uint32_t i) { size = min(size, size_of(i)); });
+        return size;
+    }
+    Real radius_of(const SolidParts& solid) const {
+        Real fastest = 0;
+        each_corner(solid, [&](std::uint32_t i) { fastest = max(fastest, way(i)); });
+        return size_of(solid) + skin() + fastest;
+    }
+    collide::BoundingBox<D, Real> box_in_frame(const SolidParts& solid) const {
+        collide::BoundingBox<D, Real> box;
+        each_corner(solid, [&](std::uint32_t i) { box.include(position_in_frame(i)); });
+        return box;
+    }
+
     // --- search ------------------------------------------------------------------------------------------------------
 
     /// Calls visit(other) for the features with lower numbers that may touch a feature. All forecasts are new.
@@ -45,6 +62,15 @@ template <int D, class Real> class CandidateSearch {
             if (room_.particles[feature].is_covered) return;
             list_.particles.each_near(searched(feature, feature, feature, size_of(feature)), [&](auto other) {
                 if (other < feature && are_near(feature, other) && may_touch(feature, other)) visit(other);
+            });
+            return;
+        }
+        if (D == 3 && room_.is_solid(feature)) {
+            const auto& solid = room_.solid(feature);
+            collide::BoundingBox<D, Real> box;
+            each_corner(solid, [&](std::uint32_t i) { box.include(list_.position[i]); });
+            list_.particles.each_near(box.grown(list_.search_radius[feature]), [&](auto other) {
+                if (are_near(solid, other) && may_touch(other, solid)) visit(other);
             });
             return;
         }
@@ -74,6 +100,17 @@ template <int D, class Real> class CandidateSearch {
         each_segment(box, [&](std::uint32_t other) {
             const auto& s = room_.segments[other];
             if (!is_new(s) && are_near(s, p) && may_touch(p, s)) visit(other + count_, p);
+        });
+        if constexpr (D == 3)
+            each_solid(box, [&](std::uint32_t number) {
+                const auto& solid = room_.polyhedra.solids[number];
+                if (!is_new(solid) && are_near(solid, p) && may_touch(p, solid)) visit(number + first_solid(), p);
+            });
+    }
+    template <class Visit> void each_around_solid(std::uint32_t number, Visit&& visit) const {
+        const auto& solid = room_.polyhedra.solids[number];
+        each_particle(box_in_frame(solid).grown(radius_of(solid)), [&](std::uint32_t other) {
+            if (are_near(solid, other) && may_touch(other, solid)) visit(number + first_solid(), other);
         });
     }
     template <class Visit> void each_around_segment(std::uint32_t number, Visit&& visit) const {
@@ -115,6 +152,18 @@ template <int D, class Real> class CandidateSearch {
         }
     }
 
+    /// True for a particle and a solid of figures in contact, unless the particle is a corner or linked to one.
+    bool may_touch(std::uint32_t particle, const SolidParts& solid) const {
+        const Row row = room_.particles[particle].row;
+        bool may = !room_.is_of_cloth(row);
+        each_corner(solid, [&](std::uint32_t i) {
+            const Row corner = room_.particles[i].row;
+            may = may && row != corner && meets(row, corner) && !are_linked(row, corner);
+        });
+        return may;
+    }
+    bool is_new(const SolidParts& solid) const { return any_corner(solid, list_.is_new); }
+    bool is_renewed(const SolidParts& solid) const { return any_corner(solid, list_.is_renewed); }
     bool is_new(const ContactSegment& s) const { return list_.is_new[s.number_a] || list_.is_new[s.number_b]; }
     bool is_renewed(const ContactSegment& s) const {
         return list_.is_renewed[s.number_a] || list_.is_renewed[s.number_b];
@@ -127,6 +176,16 @@ template <int D, class Real> class CandidateSearch {
     std::uint32_t count_; ///< particles
 
     static Real squared(const Vector& v) { return dot(v, v); }
+    std::uint32_t first_solid() const { return count_ + std::uint32_t(room_.segments.size()); }
+    template <class Visit> void each_corner(const SolidParts& solid, const Visit& visit) const {
+        for (auto i = solid.first_corner; i < solid.first_corner + solid.corners; ++i)
+            visit(room_.polyhedra.corners[i]);
+    }
+    bool any_corner(const SolidParts& solid, const std::vector<char>& flags) const {
+        bool any = false;
+        each_corner(solid, [&](std::uint32_t i) { any = any || flags[i] != 0; });
+        return any;
+    }
     Real skin() const { return Real(2) * list_.margin + list_.near_by; }
     Real way(std::uint32_t i) const { return norm(list_.velocity[i] - list_.mean) * time_ahead(); }
 
@@ -141,6 +200,12 @@ template <int D, class Real> class CandidateSearch {
             if (!is_renewed(room_.segments[i])) visit(i);
         });
         list_.renewed_segment_grid.each_near(box, [&](std::uint32_t i) { visit(list_.renewed_segments[i]); });
+    }
+    template <class Visit> void each_solid(const collide::BoundingBox<D, Real>& box, Visit&& visit) const {
+        list_.solids.each_near(box, [&](std::uint32_t i) {
+            if (!is_renewed(room_.polyhedra.solids[i])) visit(i);
+        });
+        list_.renewed_solid_grid.each_near(box, [&](std::uint32_t i) { visit(list_.renewed_solids[i]); });
     }
 
     auto searched(std::uint32_t feature, std::uint32_t a, std::uint32_t b, Real size) const {
@@ -182,6 +247,17 @@ template <int D, class Real> class CandidateSearch {
         const auto& v = list_.velocity[p];
         const Real speed = max(squared(v - list_.velocity[s.number_a]), squared(v - list_.velocity[s.number_b]));
         return is_within(far, size_of(p) + size_of(s), speed);
+    }
+    bool are_near(const SolidParts& solid, std::uint32_t p) const {
+        collide::BoundingBox<D, Real> box;
+        Real speed = 0;
+        each_corner(solid, [&](std::uint32_t i) {
+            box.include(position(i));
+            speed = max(speed, squared(list_.velocity[p] - list_.velocity[i]));
+        });
+        const auto x = position(p);
+        const auto off = Vector::map([&](int k) { return max(max(box.low[k] - x[k], x[k] - box.high[k]), Real(0)); });
+        return is_within(squared(off), size_of(p) + size_of(solid), speed);
     }
     bool are_near(const ContactSegment& s, std::uint32_t feature_s, const ContactSegment& t,
                   std::uint32_t feature_t) const {

@@ -94,14 +94,14 @@ template <int D, class Real> class CandidateFinder {
         list_.particles.fill(list_.position, std::span(list_.search_radius).first(room_.particles.size()),
                              list_.velocity, list_.radius, list_.figure);
         list_.has_segments = false;
-        if constexpr (D == 3) list_.fill_segments();
+        if constexpr (D == 3) list_.fill_segments(), list_.solids.fill(list_.solid_middle, list_.solid_ball);
         search();
         sort_by_parts();
     }
     void note_motion() {
         list_.position.clear(), list_.velocity.clear();
         list_.radius.clear(), list_.figure.clear();
-        list_.renewed.clear(), list_.renewed_segments.clear();
+        list_.renewed.clear(), list_.renewed_segments.clear(), list_.renewed_solids.clear();
         list_.born.assign(room_.particles.size(), 0);
         list_.is_new.assign(room_.particles.size(), 0), list_.is_renewed.assign(room_.particles.size(), 0);
         list_.horizon = horizon();
@@ -125,6 +125,7 @@ template <int D, class Real> class CandidateFinder {
 
     void find_radii() {
         list_.search_radius.clear(), list_.middle.clear(), list_.segment_ball.clear();
+        list_.solid_middle.clear(), list_.solid_ball.clear();
         for (std::uint32_t i = 0; i < particles(); ++i) list_.search_radius.push_back(search_.radius_of(i));
         for (const auto& s : room_.segments) {
             list_.search_radius.push_back(search_.radius_of(s));
@@ -132,11 +133,18 @@ template <int D, class Real> class CandidateFinder {
             list_.middle.push_back((a + b) * Real(0.5));
             list_.segment_ball.push_back(Real(0.5) * distance(a, b) + list_.search_radius.back());
         }
+        for (const auto& solid : room_.polyhedra.solids) {
+            list_.search_radius.push_back(search_.radius_of(solid));
+            const auto box = search_.box_in_frame(solid);
+            list_.solid_middle.push_back((box.low + box.high) * Real(0.5));
+            list_.solid_ball.push_back(Real(0.5) * distance(box.low, box.high) + list_.search_radius.back());
+        }
     }
 
     /// Features of a chunk find those with lower numbers.
     void search() {
-        const auto features = std::uint32_t(room_.particles.size() + room_.segments.size());
+        const auto segments = room_.particles.size() + room_.segments.size();
+        const auto features = std::uint32_t(segments + room_.polyhedra.solids.size());
         list_.found.resize(chunks);
         Workers::run(threads_, chunks, [&](int chunk) {
             auto& found = list_.found[std::size_t(chunk)];
@@ -147,7 +155,7 @@ template <int D, class Real> class CandidateFinder {
                 const auto begun = found.size();
                 const auto list = [&](std::uint32_t other) { found.push_back({feature, other}); };
                 search_.each_lower(feature, list);
-                const bool is_segment = feature >= particles();
+                const bool is_segment = feature >= particles() && feature < segments;
                 if (is_segment && !list_.nested.empty())
                     search_.each_nested(room_.segments[feature - particles()], list);
                 const auto own = found.begin() + std::ptrdiff_t(begun);
@@ -177,8 +185,8 @@ template <int D, class Real> class CandidateFinder {
         if (list_.nested.empty() || s.side == 0) return false;
         return list_.is_nested(detail::Solids<D, Real>(room_, state_).of(particle), s.first);
     }
-    /// Numbers for the first look at a pair in each substep (simd/near_pairs.h). Pairs of segments are always looked
-    /// at closely.
+    /// Numbers for the first look at a pair in each substep (simd/near_pairs.h). Pairs of segments, and of solids
+    /// in space, are always looked at closely.
     void note_slots() {
         const auto all = list_.candidates.size();
         list_.near_p.resize(all), list_.near_a.resize(all), list_.near_b.resize(all), list_.near_size.resize(all);
@@ -192,6 +200,10 @@ template <int D, class Real> class CandidateFinder {
             const auto [first, second] = list_.candidates[i];
             if (first < count) {
                 put(i, first, second, second, search_.size_of(first) + search_.size_of(second));
+                continue;
+            }
+            if (room_.is_solid(first)) {
+                put(i, second, second, second, std::numeric_limits<Real>::infinity());
                 continue;
             }
             const auto& s = room_.segments[first - count];

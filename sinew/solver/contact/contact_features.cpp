@@ -5,6 +5,7 @@
 #include "sinew/solver/contact/contact_room.h"
 #include "sinew/solver/contact/face_features.h"
 #include "sinew/solver/contact/kept_contacts.h"
+#include "sinew/solver/contact/polyhedron_features.h"
 #include "sinew/world/body_shape.h"
 
 #include <algorithm>
@@ -34,15 +35,16 @@ template <int D, class Real> class FeatureFinder {
             if (world_.figures[i].in_use() && any_near(world_.figures[i])) add_segments(i);
         list_particles();
         number_segments();
-        room_.list.note_features(room_.particles, room_.segments);
+        if constexpr (D == 3) detail::PolyhedronFeatures<Real>(world_, room_).find();
+        room_.list.note_features(room_.particles, room_.segments, room_.polyhedra.solids);
         if (room_.is_stale) room_.list.is_valid = false;
         room_.all_by_rows = std::ranges::find(room_.by_rows, char(0)) == room_.by_rows.end();
         room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
         divide();
         find_buried();
         for (const Row slot : room_.cloth.slots) room_.is_exact[slot] = 0;
-        const auto is_exact = [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); };
-        room_.joints.find(world_, solver_, is_exact);
+        room_.joints.find(world_, solver_,
+                          [&](Row slot) { return slot < state.size() && is_held_exactly(solver_, slot); });
         room_.exact_components.clear();
         room_.cloth_components.clear();
         for (const auto& component : state.plan.components) {
@@ -129,11 +131,11 @@ template <int D, class Real> class FeatureFinder {
     }
 
     Real radius_at(std::uint32_t number) const { return room_.particles[number].radius; }
+    using Parts = detail::ContactParts<D, Real>;
 
     /// Strips of equal numbers of particles, by the places at the start of the step. A figure with segments is in one
     /// strip, and so is a rigid cluster.
     void divide() {
-        using Parts = detail::ContactParts<D, Real>;
         auto& across = room_.parts.across;
         across.clear();
         const auto count = room_.particles.size();
@@ -178,17 +180,17 @@ template <int D, class Real> class FeatureFinder {
         }
     }
     void share_out_walls() {
-        for (auto& part : room_.parts.list) part.particles.clear(), part.segments.clear();
+        auto& parts = room_.parts.list;
+        for (auto& part : parts) part.particles.clear(), part.segments.clear(), part.solids.clear();
         for (std::uint32_t i = 0; i < room_.particles.size(); ++i)
-            if (!room_.is_of_cloth(room_.particles[i].row))
-                room_.parts.list[room_.particles[i].strip].particles.push_back(i);
+            if (!room_.is_of_cloth(room_.particles[i].row)) parts[room_.particles[i].strip].particles.push_back(i);
         if (world_.colliders.empty()) return;
+        for (std::uint32_t i = 0; i < room_.polyhedra.solids.size(); ++i)
+            parts[room_.particles[room_.polyhedra.lead(i)].strip].solids.push_back(i);
         for (std::uint32_t i = 0; i < room_.segments.size(); ++i) {
-            if (room_.segments[i].is_inner) continue;
-            const auto a = room_.particles[room_.segments[i].number_a].strip,
-                       b = room_.particles[room_.segments[i].number_b].strip;
-            room_.parts.list[detail::ContactParts<D, Real>::part_of(std::min(a, b), std::max(a, b))].segments.push_back(
-                i);
+            const auto& s = room_.segments[i];
+            const auto ends = std::minmax(room_.particles[s.number_a].strip, room_.particles[s.number_b].strip);
+            if (!s.is_inner) parts[Parts::part_of(ends.first, ends.second)].segments.push_back(i);
         }
     }
 
@@ -199,12 +201,11 @@ template <int D, class Real> class FeatureFinder {
         return row != no_row && world_.particles.near[row] != 0 &&
                solver_.sweep_state.slot_of[row] < solver_.sweep_state.size();
     }
-
     bool any_near(const Figure& figure) const {
-        for (const auto& id : figure.particles)
-            if (const auto row = world_.particles.handles.find(id); row && world_.particles.near[*row] != 0)
-                return true;
-        return false;
+        return std::any_of(figure.particles.begin(), figure.particles.end(), [&](const auto& id) {
+            const auto row = world_.particles.handles.find(id);
+            return row && world_.particles.near[*row] != 0;
+        });
     }
 
     /// A filled area is solid on the inner side of its outline; its outline needs no second set of segments.
@@ -258,7 +259,6 @@ template <int D, class Real> class FeatureFinder {
         }
         return 0;
     }
-
     void list_links() {
         room_.links.clear();
         const auto& table = std::get<kind_number<Distance, D>>(world_.constraints);

@@ -2,6 +2,7 @@
 
 #include "sinew/solver/contact/contact_row.h"
 #include "sinew/solver/contact/feature_grid.h"
+#include "sinew/solver/contact/polyhedron_room.h"
 
 #include <algorithm>
 #include <array>
@@ -41,6 +42,7 @@ template <int D, class Real> struct ContactList {
     std::vector<std::uint32_t> strip;                             ///< per particle, when listed
     std::vector<Row> rows;                                        ///< per particle, when listed
     std::vector<ContactSegment> links;                            ///< segments, when listed
+    std::vector<SolidParts> solids_listed;                        ///< in space, when listed
 
     using SolidPair = std::array<std::uint32_t, 2>;
     std::vector<SolidPair> nested; ///< first segments of solids that overlap when the step begins, in order
@@ -54,26 +56,31 @@ template <int D, class Real> struct ContactList {
     std::vector<SolidBox<D, Real>> boxes;
     std::vector<std::uint32_t> figure;        ///< per particle
     FeatureGrid<D, Real> particles, segments; ///< when listed; segments where `has_segments`
+    FeatureGrid<D, Real> solids;              ///< in space, when listed
     bool has_segments = false;
-    FeatureGrid<D, Real> renewed_particles, renewed_segment_grid; ///< in the order of `renewed`
+    FeatureGrid<D, Real> renewed_particles, renewed_segment_grid, renewed_solid_grid; ///< in the order of `renewed`
     std::vector<Vector> renewed_places;
     std::vector<Real> renewed_balls;
-    std::vector<Vector> middle;                       ///< per segment
-    std::vector<Real> search_radius;                  ///< per particle, then per segment
-    std::vector<Real> segment_ball;                   ///< per segment: search radius around the middle
-    std::vector<std::vector<ContactCandidate>> found; ///< by chunks of features
-    std::vector<ContactCandidate> before;             ///< the last list, by parts
+    std::vector<Vector> middle;                               ///< per segment
+    std::vector<Real> search_radius;                          ///< per particle, then per segment, then per solid
+    std::vector<Real> segment_ball;                           ///< per segment: search radius around the middle
+    std::vector<Vector> solid_middle;                         ///< per solid: of the box
+    std::vector<Real> solid_ball;                             ///< per solid: search radius around the middle
+    std::vector<std::uint32_t> renewed_solids, astray_solids; ///< with a corner astray
+    std::vector<std::vector<ContactCandidate>> found;         ///< by chunks of features
+    std::vector<ContactCandidate> before;                     ///< the last list, by parts
     std::array<std::uint32_t, contact_parts> end_before{};
     std::vector<ContactMultiplier<D, Real>> multipliers_before;
 
     /// Features at the start of a step. Others than those listed end the list: their numbers differ, as where an area
     /// was turned over and has other segments.
-    void note_features(const std::vector<ContactParticle<Real>>& of, const std::vector<ContactSegment>& between) {
+    void note_features(const std::vector<ContactParticle<Real>>& of, const std::vector<ContactSegment>& between,
+                       const std::vector<SolidParts>& within) {
         const auto row_of = [](const auto& particle) { return particle.row; };
-        if (std::ranges::equal(rows, of, {}, {}, row_of) && links == between) return;
+        if (std::ranges::equal(rows, of, {}, {}, row_of) && links == between && solids_listed == within) return;
         rows.clear();
         for (const auto& particle : of) rows.push_back(particle.row);
-        links = between;
+        links = between, solids_listed = within;
         is_valid = false;
     }
     /// Fills the grid of the segments.

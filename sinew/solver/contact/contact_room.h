@@ -9,6 +9,7 @@
 #include "sinew/solver/contact/face_room.h"
 #include "sinew/solver/contact/joint_rows.h"
 #include "sinew/solver/contact/link_projector.h"
+#include "sinew/solver/contact/polyhedron_room.h"
 #include "sinew/solver/solver.h"
 
 namespace sinew {
@@ -22,6 +23,7 @@ template <int D, class Real> struct ContactRoom {
     // Features.
     std::vector<ContactParticle<Real>> particles; ///< of colliding figures, in the order of rows
     std::vector<ContactSegment> segments;
+    detail::PolyhedronRoom polyhedra;                         ///< in space
     std::vector<std::uint32_t> number_of;                     ///< per row: index in `particles`
     std::vector<std::uint32_t> first_segment_at, segments_at; ///< per particle: segments that begin there
     std::vector<char> by_rows;          ///< per slot of the sweep: held by rows of contact, not plane by plane
@@ -56,6 +58,14 @@ template <int D, class Real> struct ContactRoom {
         const auto component = projector.links().component_of[slot];
         return component != detail::RigidLinks<D, Real>::none && is_buried[component] != 0;
     }
+    /// True for the number of a solid in space.
+    bool is_solid(std::uint32_t feature) const { return feature >= particles.size() + segments.size(); }
+    const detail::SolidParts& solid(std::uint32_t feature) const {
+        return polyhedra.solids[feature - particles.size() - segments.size()];
+    }
+    std::uint32_t first_corner_of(std::uint32_t feature) const {
+        return polyhedra.lead(std::uint32_t(feature - particles.size() - segments.size()));
+    }
     bool is_of_cloth(Row row) const { return !cloth.empty() && cloth.is_cloth[row]; }
 };
 
@@ -76,8 +86,10 @@ template <int D, class Real> std::uint32_t part_of(const ContactRoom<D, Real>& r
     for (const auto feature : {pair.first, pair.second})
         if (feature < count)
             include(feature);
-        else
+        else if (feature - count < room.segments.size())
             include(room.segments[feature - count].number_a), include(room.segments[feature - count].number_b);
+        else // with all its corners
+            include(room.first_corner_of(feature));
     return detail::ContactParts<D, Real>::part_of(low, high);
 }
 

@@ -38,10 +38,10 @@ template <int D, class Real> struct ContactLever {
 /// All passes over the rows read these numbers.
 template <int D, class Real> struct ContactRow {
     using Vector = Vec<D, Real>;
-    static constexpr std::size_t most = 4; ///< members
-    std::array<Row, most> slot{};          ///< slots of the sweep
-    std::array<Real, most> weight{};       ///< shares of the contact point, positive on the normal's side
-    std::array<ContactLever<D, Real>, 2> lever{};
+    static constexpr std::size_t most = D == 2 ? 4 : 5, most_levers = D == 2 ? 2 : 3; ///< members
+    std::array<Row, most> slot{};                                                     ///< slots of the sweep
+    std::array<Real, most> weight{}; ///< shares of the contact point, positive on the normal's side
+    std::array<ContactLever<D, Real>, most_levers> lever{};
     Vector normal{};
     Vector tangent{}; ///< multiplier of friction
     Real gap = 0;     ///< at the start of the substep, metres; negative for an overlap
@@ -57,6 +57,7 @@ template <int D, class Real> struct ContactRow {
     bool is_held = false;     ///< solved as the whole figures answer
     bool is_repeated = false; ///< solved with the rows of its island, until they agree (row_islands.h)
     bool is_central = false;  ///< the normal is the line of centres, and turns with it
+    bool is_on_face = false;  ///< of a particle, and the corners of a face of a solid in space
     signed char side = 0;     ///< 2D: of the segment on which the particle is, 1: left of a-b
 
     std::span<const Row> slots() const { return std::span(slot).first(members); }
@@ -176,7 +177,8 @@ struct WarmGain {
     }
 };
 
-/// Pair of features that may touch in a step. Particles are numbered first, then segments; first > second.
+/// Pair of features that may touch in a step. Particles are numbered first, then segments, then solids in space; first
+/// > second.
 struct ContactCandidate {
     std::uint32_t first = 0, second = 0;
     friend constexpr auto operator<=>(const ContactCandidate&, const ContactCandidate&) = default;
@@ -209,6 +211,7 @@ struct ContactSegment {
     bool is_inner = false;                    ///< between two filled areas of a figure: nothing touches it
     std::uint32_t first = 0, count = 0;       ///< segments around the same solid
     std::uint32_t number_a = 0, number_b = 0; ///< of the ends, among the particles
+    std::uint32_t edge = ~std::uint32_t(0);   ///< of a solid in space
     friend bool operator==(const ContactSegment&, const ContactSegment&) = default;
 };
 
@@ -217,15 +220,15 @@ inline constexpr std::uint32_t contact_parts = 16;
 
 /// Rows and candidates that one thread looks after. Parts of a phase share no particle.
 template <int D, class Real> struct ContactPart {
-    std::uint32_t first = 0, last = 0;              ///< range of candidates
-    std::vector<std::uint32_t> particles, segments; ///< numbers of those whose walls it looks after
-    std::vector<std::uint32_t> near_planes;         ///< of these particles, those that may touch a plane
-    std::vector<ContactRow<D, Real>> rows;          ///< of the candidates, then of walls
-    std::vector<ContactOrigin<D, Real>> origins;    ///< of the rows
-    std::vector<NearSegment<D, Real>> near;         ///< scratch: candidates that may touch in this substep
-    std::vector<std::uint32_t> deep;                ///< rows that may have to be held as the figures answer
-    std::vector<HeldRow> held;                      ///< rows solved as the figures answer
-    std::size_t first_wall = 0;                     ///< index of the first row of a wall
+    std::uint32_t first = 0, last = 0;                      ///< range of candidates
+    std::vector<std::uint32_t> particles, segments, solids; ///< numbers of those whose walls it looks after
+    std::vector<std::uint32_t> near_planes;                 ///< of these particles, those that may touch a plane
+    std::vector<ContactRow<D, Real>> rows;                  ///< of the candidates, then of walls
+    std::vector<ContactOrigin<D, Real>> origins;            ///< of the rows
+    std::vector<NearSegment<D, Real>> near;                 ///< scratch: candidates that may touch in this substep
+    std::vector<std::uint32_t> deep;                        ///< rows that may have to be held as the figures answer
+    std::vector<HeldRow> held;                              ///< rows solved as the figures answer
+    std::size_t first_wall = 0;                             ///< index of the first row of a wall
     std::vector<ContactKey> wall_keys;
     std::vector<ContactRow<D, Real>> sensed;            ///< links near sensors, which do not act
     std::vector<ContactOrigin<D, Real>> sensed_origins; ///< of these

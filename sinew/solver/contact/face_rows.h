@@ -38,7 +38,9 @@ template <class Real> class FaceRows {
         const double link_share = near.weight[1];
         if (pair.first_side == 2 && !(link_share > 0 && link_share < 1)) return false; // rows of the link's ends
         RowT row;
-        row.slot = pair.slot, row.members = 4, row.keeps = false;
+        row.slot.fill(pair.slot[0]);
+        std::ranges::copy(pair.slot, row.slot.begin());
+        row.members = 4, row.keeps = false;
         row.normal = cast<Real>(near.normal);
         row.gap = Real(gap - impact.share * dot(near.normal, motion.relative(near)));
         Real response = 0;

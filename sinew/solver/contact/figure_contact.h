@@ -259,8 +259,9 @@ template <int D, class Real> class FigureContact {
     /// Figure of a feature, and slot of its particle or of its first end.
     std::pair<FigureIndex, std::uint32_t> side_of(std::uint32_t feature) {
         const auto count = room().particles.size();
-        const bool is_particle = feature < count;
-        const Row row = is_particle ? room().particles[feature].row : room().segments[feature - count].a;
+        const Row row = feature < count            ? room().particles[feature].row
+                        : room().is_solid(feature) ? room().particles[room().first_corner_of(feature)].row
+                                                   : room().segments[feature - count].a;
         return {world_.particles.figure[row], world_.particles.handles.index_of(row)};
     }
     void note(const RowT& row, const Origin& origin) {

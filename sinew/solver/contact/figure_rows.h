@@ -1,16 +1,17 @@
 #pragma once
 
 #include "sinew/solver/contact/crossing_sides.h"
-#include "sinew/solver/contact/row_writer.h"
+#include "sinew/solver/contact/solid_rows.h"
 #include "sinew/solver/contact/solids.h"
 
 namespace sinew::detail {
 
 /// Rows of contact between figures: nearest points, normals and gaps of the listed pairs.
-template <int D, class Real> class FigureRows : RowWriter<D, Real> {
-    using Base = RowWriter<D, Real>;
-    using Base::add, Base::admit, Base::position, Base::share_of_deep, Base::take;
-    using Base::state_, Base::room_, Base::part_, Base::p_;
+template <int D, class Real> class FigureRows : SolidRows<D, Real> {
+    using Base = SolidRows<D, Real>;
+    using Base::add, Base::admit, Base::position, Base::share_of_deep, Base::take, Base::finish, Base::restore;
+    using Base::set_thickness, Base::number_of, Base::slack_of;
+    using Base::state_, Base::room_, Base::list_, Base::part_, Base::p_, Base::source_, Base::near_by_;
     using typename Base::ContactRowT;
     using typename Base::Origin;
     using typename Base::Vector;
@@ -18,7 +19,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
 
   public:
     FigureRows(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, Real>& part, Real h)
-        : Base(world, solver, part, h), near_by_(room_.list.near_by), margin_(room_.list.margin) {}
+        : Base(world, solver, part, h) {}
 
     /// Adds, of all candidates, those near each other, and those whose contact lasts.
     void add_all(const Kernels<D, Real>& kernels) {
@@ -50,10 +51,12 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     /// Depth from which crossing links are held as the figures answer, of both radii: less than `share_of_deep`, since
     /// they have no other rows beside.
     static constexpr Real share_of_crossing = Real(0.3);
-    const ContactList<D, Real>& list_ = room_.list;
+    bool is_of_solid(std::uint32_t feature) const {
+        if (room_.is_solid(feature)) return true;
+        const auto& s = room_.segments[feature - room_.particles.size()];
+        return s.side != 0 || s.edge != PolyhedronRoom::none;
+    }
     Solids<D, Real> solids_{room_, state_};
-    Real near_by_, margin_;
-    std::uint32_t source_ = 0; ///< the candidate
 
     /// Adds the row of a pair whose nearest points are known.
     void add(const NearSegment<D, Real>& near) {
@@ -61,7 +64,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         const auto count = room_.particles.size();
         const bool has_segment = first >= count;
         if (!(near.distance >= std::numeric_limits<Real>::min()) || second >= count ||
-            (has_segment && room_.segments[first - count].side != 0))
+            (has_segment && is_of_solid(first)))
             return add(near.pair);
         source_ = near.pair;
         const bool acts = has_segment ? add(near, room_.particles[second], room_.segments[first - count])
@@ -103,6 +106,8 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         bool acts = false;
         if (pair.first < count)
             acts = add(room_.particles[pair.first], room_.particles[pair.second]);
+        else if (room_.is_solid(pair.first))
+            acts = this->add_on_face(room_.particles[pair.second], room_.solid(pair.first));
         else if (pair.second < count)
             acts = add(room_.particles[pair.second], room_.segments[pair.first - count]);
         else if constexpr (D == 3)
@@ -110,73 +115,16 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         if (!acts) forget();
     }
 
-    static void set_thickness(Origin& origin, Real thickness, Real deep = share_of_deep) {
-        origin.thickness = thickness, origin.deep = deep * thickness;
-    }
+    // --- solids ------------------------------------------------------------------------------------------------------
 
-    // --- members -----------------------------------------------------------------------------------------------------
-
-    void take(ContactRowT& row, const Particle& p, const Particle& other) const {
-        take(row, p.slot, Real(1));
-        take(row, other.slot, Real(-1));
-        if (!rubs(p, other)) return;
-        add_lever(row, 0, p, p.radius);
-        add_lever(row, 1, other, other.radius);
-    }
-    /// A particle, and the point t of a segment.
-    void take(ContactRowT& row, const Particle& p, const Particle& a, const Particle& b, Real t) const {
-        const Real radius = min(a.radius, b.radius);
-        const bool has_lever = rubs(p, a) && radius > Real(0) && is_rigid(a, b);
-        take(row, p.slot, Real(1));
-        if (has_lever || t < Real(1)) take(row, a.slot, t - Real(1));
-        if (has_lever || t > Real(0)) take(row, b.slot, -t);
-        if (has_lever) add_lever(row, 1, 2, radius);
-        if (rubs(p, a)) add_lever(row, 0, p, p.radius);
-    }
-    /// The points s and t of two segments.
-    void take(ContactRowT& row, std::array<const Particle*, 4> ends, Real s, Real t) const {
-        const std::array<Real, 4> weight{Real(1) - s, s, t - Real(1), -t};
-        for (std::size_t i = 0; i < 4; ++i) take(row, ends[i]->slot, weight[i]);
-        if (!rubs(*ends[0], *ends[2])) return;
-        if (is_rigid(*ends[0], *ends[1])) add_lever(row, 0, 1, min(ends[0]->radius, ends[1]->radius));
-        if (is_rigid(*ends[2], *ends[3])) add_lever(row, 2, 3, min(ends[2]->radius, ends[3]->radius));
-    }
-    static bool rubs(const Particle& a, const Particle& b) { return min(a.friction, b.friction) > Real(0); }
-    /// True for ends of a link of a rigid body: of a cluster, or of a rod. Ropes and limbs give way to a moment, and
-    /// friction acts on their lines.
-    bool is_rigid(const Particle& a, const Particle& b) const {
-        const auto& links = room_.projector.links();
-        const auto clusters = room_.projector.cluster_of();
-        if (a.strip != b.strip || clusters[a.slot] != clusters[b.slot]) return false;
-        if (clusters[a.slot] != links.none) return true;
-        const auto component = links.component_of[a.slot];
-        return component != links.none && component == links.component_of[b.slot] && links.is_rod(component);
-    }
-    /// Lever of a particle, by a link that ends there. A rolling one has a spin of its own.
-    void add_lever(ContactRowT& row, std::size_t member, const Particle& p, Real radius) const {
-        if (radius == Real(0) || !p.in_segment || state_.rolls(p.slot)) return;
-        const auto& beside = room_.particles[p.beside];
-        const auto known = row.slots();
-        if (!is_rigid(p, beside) || std::ranges::find(known, beside.slot) != known.end()) return;
-        take(row, beside.slot, Real(0));
-        add_lever(row, member, row.members - std::size_t(1), radius);
-    }
-    static void add_lever(ContactRowT& row, std::size_t a, std::size_t b, Real radius) {
-        if (radius == Real(0)) return;
-        row.lever[row.levers++] = {.radius = radius, .a = std::uint8_t(a), .b = std::uint8_t(b)};
-    }
-
-    std::uint32_t number_of(const Particle& p) const { return std::uint32_t(&p - room_.particles.data()); }
-    /// Corners of boxes side by side are outside of each other by rounding.
-    static Real slack_of(Real radius) { return Real(0.01) * radius; }
     /// True for a corner of a solid inside another one: it leaves by a side, not away from a corner.
-    bool are_nested(const Particle& a, const Particle& b) const {
+    bool are_nested(const Particle& a, const Particle& b) {
         if constexpr (D == 2) {
             const Real slack = slack_of(min(a.radius, b.radius));
             return solids_.contains(solids_.of(number_of(b)), state_.position_at(a.slot), slack) ||
                    solids_.contains(solids_.of(number_of(a)), state_.position_at(b.slot), slack);
         }
-        return false;
+        return Base::are_of_nested(a, b);
     }
 
     // --- figures with each other -------------------------------------------------------------------------------------
@@ -214,6 +162,7 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         } else if (s.side != 0 && distance < p.radius + radius && solids_.contains(s.first, x, slack_of(radius))) {
             return false; // a corner inside leaves by a side
         }
+        if (!Base::is_around_edge(p, s, x, away, t)) return false;
         if constexpr (D == 2)
             if (s.side == 0)
                 remember_side(row, dot(row.normal, side_of(a, b)) >= Real(0), t, distance, p.radius + radius);
@@ -235,9 +184,13 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
         row.normal = normal_of(away, across(b - a, d - c));
         const Real thickness = min(p_.radius[s.a], p_.radius[s.b]) + min(p_.radius[t.a], p_.radius[t.b]);
         Real distance = norm(away);
-        remember_side(row, away, b - a, d - c, distance, thickness);
+        if (s.edge == PolyhedronRoom::none && t.edge == PolyhedronRoom::none)
+            remember_side(row, away, b - a, d - c, distance, thickness);
+        else if (!Base::find_axis(s, t, away, row.normal, distance, thickness))
+            return false;
         row.gap = distance - thickness;
         set_thickness(origin, thickness, share_of_crossing);
+        origin.deep = max(origin.deep, Base::depth_at(s, t));
         take(row, {&from, &room_.particles[s.number_b], &other, &room_.particles[t.number_b]}, at.s, at.t);
         return finish(row, origin, from, other);
     }
@@ -278,19 +231,6 @@ template <int D, class Real> class FigureRows : RowWriter<D, Real> {
     void forget() {
         auto& kept = room_.multipliers[source_];
         kept = D == 3 ? ContactMultiplier<D, Real>{.side = kept.side} : ContactMultiplier<D, Real>{};
-    }
-
-    bool finish(ContactRowT& row, Origin& origin, const Particle& first, const Particle& second) {
-        return add(row, origin, restore(row, origin, first, second));
-    }
-    /// Takes up the multipliers of the last substep; returns the gap up to which the row acts.
-    Real restore(ContactRowT& row, Origin& origin, const Particle& first, const Particle& second) const {
-        row.friction = min(first.friction, second.friction);
-        origin.restitution = max(first.restitution, second.restitution);
-        const auto& kept = room_.multipliers[source_];
-        row.multiplier = kept.normal, row.tangent = kept.tangent;
-        origin.source = source_;
-        return row.multiplier > Real(0) ? near_by_ + margin_ : near_by_;
     }
 };
 

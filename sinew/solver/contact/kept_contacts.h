@@ -35,7 +35,8 @@ template <int D, class Real> class KeptContacts {
             if (contact.key.collider != ContactKey::none)
                 room_.kept_at_walls.push_back(contact);
             else if (auto* multiplier = find(contact.key))
-                *multiplier = {contact.multiplier, contact.friction, side_of(contact.key.feature)};
+                *multiplier = {contact.multiplier, contact.friction,
+                               contact.key.feature == ContactKey::face ? 0 : side_of(contact.key.feature)};
     }
     /// After a new list in a later substep: pairs of the last list are in the same parts.
     void take_from_last_list() {
@@ -85,9 +86,9 @@ template <int D, class Real> class KeptContacts {
                 const bool passes = !row.keeps && row.multiplier > Real(0);
                 if (!passes && !lasts(row)) continue;
                 auto& contacts = passes ? world_.contacts.passing : kept;
-                contacts.push_back(
-                    {key_of(room_.list.candidates[part.origins[i].source]), row.multiplier, row.tangent});
-                contacts.back().key.feature = feature_of_side(row.side);
+                const auto key =
+                    row.is_on_face ? key_of_face(row) : key_of(room_.list.candidates[part.origins[i].source], row);
+                contacts.push_back({key, row.multiplier, row.tangent});
             }
         give_faces();
         sort(kept);
@@ -121,8 +122,8 @@ template <int D, class Real> class KeptContacts {
     }
 
     std::uint32_t id(Row row) const { return world_.particles.handles.index_of(row); }
-    ContactKey key_of(const ContactCandidate& pair) const {
-        ContactKey key;
+    ContactKey key_of(const ContactCandidate& pair, const ContactRow<D, Real>& row) const {
+        ContactKey key{.feature = feature_of_side(row.side)};
         const auto count = room_.particles.size();
         std::size_t i = 0;
         for (const auto feature : {pair.first, pair.second}) {
@@ -137,6 +138,11 @@ template <int D, class Real> class KeptContacts {
         return key;
     }
 
+    /// Corners of the face, and the particle.
+    ContactKey key_of_face(const ContactRow<D, Real>& row) const {
+        const auto slot = [&](std::size_t i) { return id(state_.row_of[row.slot[i]]); };
+        return {.particle = {slot(1), slot(2), slot(3), slot(0)}, .feature = ContactKey::face};
+    }
     /// A row that acts, and one that remembers on which side of a segment a particle is.
     static bool lasts(const ContactRow<D, Real>& row) {
         return row.keeps && (row.multiplier > Real(0) || (row.side != 0 && row.gap < Real(0)));
@@ -162,9 +168,16 @@ template <int D, class Real> class KeptContacts {
                 return std::uint32_t(room_.particles.size()) + room_.segments_at[i];
         return none;
     }
+    std::uint32_t solid_with(std::uint32_t corner) const {
+        const auto& polyhedra = room_.polyhedra;
+        if (corner == none || polyhedra.solids.empty() || polyhedra.solid_of[corner] == none) return none;
+        return std::uint32_t(room_.particles.size() + room_.segments.size()) + polyhedra.solid_of[corner];
+    }
     Multiplier* find(const ContactKey& key) {
-        const ContactCandidate pair{feature_of(key.particle[0], key.particle[1]),
-                                    feature_of(key.particle[2], key.particle[3])};
+        const auto& at = key.particle;
+        const bool is_face = key.feature == ContactKey::face;
+        const ContactCandidate pair = is_face ? ContactCandidate{solid_with(number_of(at[0])), number_of(at[3])}
+                                              : ContactCandidate{feature_of(at[0], at[1]), feature_of(at[2], at[3])};
         if (pair.first == none || pair.second == none) return nullptr;
         const auto& part = room_.parts.list[part_of(room_, pair)];
         const auto begin = room_.list.candidates.begin() + part.first, end = room_.list.candidates.begin() + part.last;

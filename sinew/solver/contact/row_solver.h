@@ -115,8 +115,11 @@ template <int D, class Real> class RowSolver {
     }
     /// Levers at the present places.
     void take_levers(RowT& row) const {
+        if constexpr (D == 3)
+            if (row.is_on_face && row.levers > 1 && row.lever[0].a == 1) take_levers_of_face(row);
         for (std::size_t k = 0; k < std::size_t(row.levers); ++k) {
             auto& lever = row.lever[k];
+            if (row.is_on_face && lever.a == 1) continue;
             const auto edge = state_.position_at(row.slot[lever.b]) - state_.position_at(row.slot[lever.a]);
             lever.along = edge * -(lever.radius * row.arm * inverse_or_zero(dot(edge, edge)));
         }
@@ -126,7 +129,9 @@ template <int D, class Real> class RowSolver {
     void follow_centres(ContactPart<D, Real>& part) const {
         for (std::size_t i = 0; i < part.first_wall; ++i) {
             auto& row = part.rows[i];
-            if (!row.is_central) continue;
+            if constexpr (D == 3)
+                if (row.is_on_face) follow_face(row);
+            if (!row.is_central || row.is_on_face) continue;
             const auto line = centre_line(row);
             const Real distance = norm(line), along = dot(line, row.normal);
             const auto normal = line * (along < Real(0) ? -inverse_or_zero(distance) : inverse_or_zero(distance));
@@ -152,6 +157,32 @@ template <int D, class Real> class RowSolver {
 
     ParticleNodes<D, Real> particles(const RowT& row) const { return {state_, row, furthest_}; }
     ClusterNodes<D, Real> clusters(const RowT& row) const { return {state_, motions_, row, furthest_}; }
+
+    /// Motion of a corner along the normal turns the face by the gradient of the corner's share.
+    void take_levers_of_face(RowT& row) const {
+        const auto a = state_.position_at(row.slot[1]);
+        const auto b = state_.position_at(row.slot[2]) - a, c = state_.position_at(row.slot[3]) - a;
+        const auto area = cross(b, c);
+        const Real per = row.lever[0].radius * row.arm * inverse_or_zero(dot(area, area));
+        row.lever[0].along = cross(area, c) * per, row.lever[1].along = cross(b, area) * per;
+    }
+    /// The face at its present place, and the point nearest to the particle.
+    void follow_face(RowT& row) const {
+        const auto a = state_.position_at(row.slot[1]), x = state_.position_at(row.slot[0]) - a;
+        const auto b = state_.position_at(row.slot[2]) - a, c = state_.position_at(row.slot[3]) - a;
+        const auto area = cross(b, c);
+        const Real per = inverse_or_zero(dot(area, area));
+        if (per == Real(0)) return;
+        row.normal = area * square_root(per);
+        row.weight[2] = -dot(cross(x, c), area) * per, row.weight[3] = -dot(cross(b, x), area) * per;
+        row.weight[1] = Real(-1) - row.weight[2] - row.weight[3];
+        Real response = 0;
+        for (std::size_t i = 0; i < std::size_t(row.members); ++i)
+            response += square(row.weight[i]) * state_.mobility[row.slot[i]];
+        row.mass = inverse_or_zero(response);
+        take_levers(row);
+        row.tangent -= row.normal * dot(row.normal, row.tangent);
+    }
 
     template <class Visit> void each_ball(const RowT& row, const Visit& visit) const {
         for (std::size_t i = 0; i < std::size_t(row.members); ++i)

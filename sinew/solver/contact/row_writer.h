@@ -81,7 +81,7 @@ template <int D, class Real> class RowWriter {
         for (std::size_t i = row.members; i < row.slot.size(); ++i) row.slot[i] = row.slot[0]; // of no weight
         row.arm = arm_of(row, origin);
         rows_.take_levers(row);
-        row.is_central = row.keeps && row.members > 1 && rows_.is_central(row);
+        row.is_central = row.keeps && row.members > 1 && origin.thickness > Real(0) && rows_.is_central(row);
         row.mass = Real(1) / response;
         row.tangent -= row.normal * dot(row.normal, row.tangent);
         part_.rows.push_back(row);
