@@ -241,6 +241,34 @@ TYPED_TEST(Polyhedron, ATwistedStackStands) {
         }
 }
 
+// A crate rests on a post narrower than a face: a ball, a box, and a capsule, upright or flat.
+TYPED_TEST(Polyhedron, ACrateRestsOnAPost) {
+    using Real = TypeParam;
+    using Vector = Vec3<Real>;
+    for (const double size : {0.1, 1.0, 20.0})
+        for (const double dot : {0.0, 0.05})
+            for (int post = 0; post < 4; ++post) {
+                auto world = space<Real>();
+                collide::Collider<3, Real> collider;
+                const auto third = Real(size / 3);
+                if (post == 0) collider.shape = collide::Sphere<3, Real>{third};
+                if (post == 1) collider.shape = collide::Box<3, Real>{Vector{{third, 2 * third, third}}};
+                if (post == 2)
+                    collider.shape =
+                        collide::Capsule<3, Real>{at<Vector>(0, -1), at<Vector>(0, double(third) / 2), third / 2};
+                if (post == 3)
+                    collider.shape =
+                        collide::Capsule<3, Real>{at<Vector>(-double(third), 0), at<Vector>(double(third), 0), third};
+                add_collider(world, collider);
+                const double top = size / 3;
+                const auto figure = put(world, crate(size, 2, dot * size), at<Vector>(0, top + size * (0.6 + dot / 2)));
+                if (post == 1 || post == 3) turn(world, figure, {0, 0.3, 0});
+                run(world, (post == 1 ? 3 : 0.6) * std::sqrt(size)); // round posts are no lasting support
+                EXPECT_NEAR(middle_of(world, figure)[1], top + size * (0.5 + dot / 2), 3e-3 * size)
+                    << "size " << size << " dot " << dot << " post " << post;
+            }
+}
+
 // A copy made in any step of a heap goes where the original goes.
 TYPED_TEST(Polyhedron, ACopyGoesWhereTheOriginalGoes) {
     using Real = TypeParam;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sinew/solver/contact/figure_rows.h"
-#include "sinew/solver/contact/wall_rows.h"
+#include "sinew/solver/contact/solid_wall_rows.h"
 
 namespace sinew::detail {
 
@@ -15,6 +15,7 @@ void build_rows(World<D, Real>& world, Solver<D, Real>& solver, ContactPart<D, R
     FigureRows<D, Real>(world, solver, part, h).add_all(kernels<D, Real>(solver.options.simd));
     part.first_wall = part.rows.size();
     WallRows<D, Real>(world, solver, part, h, from, to).add_all();
+    if constexpr (D == 3) SolidWallRows<Real>(world, solver, part, h, from, to).add_all();
 }
 
 } // namespace sinew::detail

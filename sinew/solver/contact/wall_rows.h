@@ -9,7 +9,8 @@
 namespace sinew::detail {
 
 /// Rows of contact with planes and colliders.
-template <int D, class Real> class WallRows : RowWriter<D, Real> {
+template <int D, class Real> class WallRows : protected RowWriter<D, Real> {
+  protected:
     using Base = RowWriter<D, Real>;
     using Base::add, Base::admit, Base::is_admitted, Base::take, Base::position, Base::share_of_deep;
     using Base::world_, Base::h_, Base::displacement, Base::state_, Base::room_, Base::part_, Base::p_;
@@ -34,7 +35,7 @@ template <int D, class Real> class WallRows : RowWriter<D, Real> {
         return Real(0.05) * radius + gravity * square(h) * Real(4);
     }
 
-  private:
+  protected:
     using CoverT = collide::Cover<D, Real, Real>;
     const ColliderTouches<D, Real>& touches_;
     Real from_, to_;
