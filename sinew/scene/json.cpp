@@ -16,7 +16,8 @@ std::optional<std::int64_t> whole(double number) {
 
 } // namespace
 
-Value::Value(double number) : data(Number{number, whole(number)}) {}
+/// Negative zero is zero, as the text of a value has no other.
+Value::Value(double number) : data(Number{number + 0.0, whole(number)}) {}
 
 const Member* find(const Object& object, std::string_view key) {
     const auto found = std::ranges::find(object, key, &Member::key);

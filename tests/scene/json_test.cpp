@@ -4,6 +4,7 @@
 #include "tests/scene/laws.h"
 #include "tests/scene/sample.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
@@ -55,6 +56,15 @@ TEST(Json, WholeNumbersAreExactWhateverTheyLookLike) {
     EXPECT_EQ(integer("3.5"), std::nullopt);
     EXPECT_EQ(integer("9223372036854775808"), std::nullopt);
     EXPECT_EQ(parsed("18446744073709551615").value->as<json::Number>()->value, 18446744073709551615.0);
+}
+
+// A scene written down and read again is the same to the last bit.
+TEST(Json, NegativeZeroIsZero) {
+    for (const auto* const text : {"-0.0", "-0", "-0e3", "-1e-400"}) {
+        const auto value = parsed(text).value;
+        ASSERT_TRUE(value) << text;
+        EXPECT_FALSE(std::signbit(value->as<json::Number>()->value)) << text;
+    }
 }
 
 TEST(Json, EveryValueAndKeyKnowsItsBytes) {
