@@ -1,5 +1,6 @@
 #include "bindings/c/sinew.h"
 
+#include <cstdint>
 #include <cstdlib>
 
 /// Functions that every module has, with or without an engine.
@@ -10,6 +11,7 @@ uint32_t sinew_abi(void) {
 }
 
 void* sinew_allocate(size_t bytes) {
+    if (bytes > PTRDIFF_MAX) return nullptr; // larger than any object of C: some allocators abort
     return std::malloc(bytes > 0 ? bytes : 1);
 }
 
