@@ -29,7 +29,7 @@ template <int D, class V> class Inertia {
     /// With arms before and after a motion: of moments of displacements at the arms before, for turns at those after.
     void add(const Arrow<D, V>& before, const Arrow<D, V>& after, const V& mass) {
         const V size = dot(before, after) * mass;
-        size_ = size_ + size;
+        size_ = size_ + size, reach_ = reach_ + dot(before, before) * mass;
         if constexpr (D == 3) {
             const auto across = outer(after, before) * mass;
             for (int k = 0; k < 9; ++k) tensor_.at[k] = tensor_.at[k] - across.at[k];
@@ -41,22 +41,21 @@ template <int D, class V> class Inertia {
     /// Angular velocity of an angular momentum; zero if all is in one line (3D), or in one point.
     Spin<D, V> rate_of(const Spin<D, V>& spin) const { return rate_of(spin, V{}); }
     /// The same; if all is in one line, of a turn across it.
-    Spin<D, V> rate_across(const Spin<D, V>& spin) const {
-        return rate_of(spin, size_ > V{} ? spread<V>(1.0) / size_ : V{});
-    }
+    Spin<D, V> rate_across(const Spin<D, V>& spin) const { return rate_of(spin, inverse_size()); }
 
   private:
-    V size_{};
+    V size_{}, reach_{}; ///< `reach_` is that of the arms before: a turn by a quarter or more leaves no size
     Square<D, V> tensor_{};
 
+    V inverse_size() const { return size_ > reach_ * spread<V>(1e-9) ? spread<V>(1.0) / size_ : V{}; }
     /// `in_line`: rate for a unit of angular momentum if all is in one line.
     Spin<D, V> rate_of(const Spin<D, V>& spin, const V& in_line) const {
-        if constexpr (D == 2) return spin * (size_ > V{} ? spread<V>(1.0) / size_ : V{});
+        if constexpr (D == 2) return spin * inverse_size();
         if constexpr (D == 3) {
             V determinant;
             const auto adjoint = adjugate(tensor_, determinant);
             const auto turned = adjoint * spin, across = spin * in_line;
-            const V min = size_ * size_ * size_ * spread<V>(1e-9), per = spread<V>(1.0) / determinant;
+            const V min = reach_ * reach_ * reach_ * spread<V>(1e-9), per = spread<V>(1.0) / determinant;
             Spin<D, V> rate;
             for (int k = 0; k < D; ++k) rate.at[k] = determinant > min ? turned.at[k] * per : across.at[k];
             return rate;
