@@ -95,5 +95,46 @@ TYPED_TEST(KeptEnergy, OfChainsInARoomStays) {
     EXPECT_LT((worst_change<TypeParam::dimension, typename TypeParam::Real>(Form::chain, 16)), 1e-3);
 }
 
+/// A pinned chain or rod that swings above a floor, and grazes it: the floor takes it from a direct block, and gives it
+/// back. Largest gain in 5 s, as a share of weight times length.
+template <int D, class Real> double gain_above_floor(std::uint64_t seed, int substeps) {
+    Dice dice(seed);
+    Stepped<D, Real> world;
+    world.settings.substeps = substeps;
+    fall(world, gravity);
+    const int links = 1 + dice.below(5);
+    const double length = dice.scale(0.1, 10), mass = dice.scale(0.1, 10), radius = 0.01 * length;
+    const double height = length * dice.between(0.9, 0.999);
+    const double tilt = dice.between(std::acos(height / length) + 0.05, 1.6); // it begins above the floor
+    const auto figure = add_figure(world, "pendulum");
+    std::vector<ParticleId> ids;
+    for (int i = 0; i <= links; ++i) {
+        const double way = length * i / links;
+        ids.push_back(add_particle(world, {.position = at<Vec<D, Real>>(way * std::sin(tilt), -way * std::cos(tilt)),
+                                           .mass = Real(mass),
+                                           .radius = Real(radius),
+                                           .figure = figure}));
+    }
+    link_in_turn(world, ids);
+    world.figures[figure].particles = ids;
+    pin(world, ids[0]);
+    set_contact(world, figure, {.figures = true});
+    world.bounds.push_back({Vec<D, Real>::axis(1), Real(-height - radius), Real(dice.below(2)), Real(dice.below(3))});
+    const double begun = energy(world).total(), scale = mass * links * gravity * length;
+    double worst = 0;
+    for (int i = 0; i < 300; ++i) {
+        step(world, Real(1.0 / 60));
+        worst = std::max(worst, energy(world).total() - begun);
+    }
+    return worst / scale;
+}
+TYPED_TEST(KeptEnergy, OfPendulumsThatGrazeAFloorNeverRises) {
+    for (const int substeps : {2, 4, 8, 16})
+        for (int seed = 1; seed <= few_or_many(20, 3000); ++seed)
+            EXPECT_LT((gain_above_floor<TypeParam::dimension, typename TypeParam::Real>(std::uint64_t(seed), substeps)),
+                      1e-3)
+                << substeps << ' ' << seed;
+}
+
 } // namespace
 } // namespace sinew::SINEW_TEST_FILE

@@ -1,6 +1,7 @@
 #include "sinew/solver/phases.h"
 #include "sinew/solver/step/alone_bodies.h"
 #include "sinew/solver/step/body_boxes.h"
+#include "sinew/solver/step/hand_over.h"
 #include "sinew/solver/step/wall_reach.h"
 #include "sinew/world/asleep.h"
 
@@ -81,23 +82,16 @@ template <int D, class Real> class AloneFinder {
         }
         mark_attached();
     }
-    /// Velocities of blocks are those at the end of a substep, and those of the sweep are in its middle: a body that
-    /// changes hands would gain or lose half of what the forces add in a substep.
     void set(std::size_t i, bool near) {
-        const bool shifts = world_.last_substep > Real(0) && is_unheld(i);
-        for (const Row row : rows_of(i)) {
-            if (shifts && (p_.near[row] != 0) != near && p_.mobility[row] > Real(0))
-                p_.velocity[row] +=
-                    forcing_on(world_, row).acceleration * (world_.last_substep * Real(near ? -0.5 : 0.5));
-            p_.near.set(row, char(near));
-        }
+        if (world_.last_substep > Real(0)) detail::hand_over(world_, rows_of(i), near, is_held(i));
+        for (const Row row : rows_of(i)) p_.near.set(row, char(near));
         world_.journal.touch(p_.handles.index_of(first(i)), Touch::joined);
     }
-    /// True for a body that no pin and nothing immovable holds: the forces alone accelerate it.
-    bool is_unheld(std::size_t i) const {
+    /// True for a body that a pin or something immovable holds: other forces accelerate it, too.
+    bool is_held(std::size_t i) const {
         const auto body = room_.bodies[i];
-        return std::ranges::none_of(room_.all.attached, [&](const auto& end) { return end.body == body; }) &&
-               std::ranges::none_of(world_.pins, [&](const auto& pin) {
+        return std::ranges::any_of(room_.all.attached, [&](const auto& end) { return end.body == body; }) ||
+               std::ranges::any_of(world_.pins, [&](const auto& pin) {
                    const auto row = p_.handles.find(pin.particle);
                    return row && room_.all.body_of[*row] == body;
                });
