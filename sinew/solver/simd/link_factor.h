@@ -32,6 +32,7 @@ template <int D, class V> class LinkLanes {
     void set_energy(const V& to) const { put(pack_.energy(), to); }
     V least_energy() const { return get(pack_.least_energy()); }
     void set_least_energy(const V& to) const { put(pack_.least_energy(), to); }
+    V may_turn() const { return get(pack_.may_turn()); }
 
     Vector particle_vector(std::size_t i, std::size_t field) const {
         return get_numbers<D>(pack_.of_particle(i, field));
@@ -64,7 +65,15 @@ template <int D, class V> class LinkLanes {
     /// Factors of the lanes of a mask; others keep theirs.
     [[gnu::flatten, gnu::noinline]] void factorise(const Mask& mask) const {
         const LinkLanes here = *this;
-        for (std::uint32_t k = 0; k < here.pack_.links; ++k) here.factorise_row(k, mask);
+        V least = number(1);
+        for (std::uint32_t k = 0; k < here.pack_.links; ++k) least = lane::min(least, here.factorise_row(k, mask));
+        here.put(mask, here.pack_.may_turn(), turn_of(least));
+    }
+    /// Angle by which links may turn without new factors, for the least pivot as a share of its diagonal entry: the
+    /// solution then leaves a thousandth of their rates, and of those nearly singular, such as across a straight rope
+    /// held at both ends, angle^2 / pivot, a ten thousandth.
+    static V turn_of(const V& least_pivot) {
+        return lane::min(number(1e-3), number(1e-2) * lane::root(lane::max(least_pivot, V{})));
     }
 
     /// Replaces the right side by the solution.
@@ -163,10 +172,12 @@ template <int D, class V> class LinkLanes {
     /// The diagonal is raised by a little: redundant links share their load, and the links of a straight rope held at
     /// both ends, singular across it, do not kick. The kick falls with the root of the softness; long or heavily loaded
     /// chains converge more slowly. A plane, whose rows keep their sides, gets by with less.
-    void factorise_row(std::uint32_t k, const Mask& mask) const {
+    /// Returns the pivot as a share of the diagonal entry.
+    V factorise_row(std::uint32_t k, const Mask& mask) const {
         constexpr double softness = D == 3 ? 1e-6 : 1e-7;
         const auto& row = pack_.rows[k];
-        V pivot = weight_of(k, row) * number(1 + softness);
+        const V weight = weight_of(k, row);
+        V pivot = weight * number(1 + softness);
         for (auto m = row.first; m < k; ++m) {
             const auto& other = pack_.rows[m];
             V sum = coupling(k, m);
@@ -181,8 +192,9 @@ template <int D, class V> class LinkLanes {
             pivot = pivot - get(entry) * scaled;
             put(mask, entry, scaled);
         }
-        put(mask, pack_.of_link(k, Fields::pivot),
-            link(k, Fields::active) > V{} ? inverse_or_zero(lane::max(pivot, V{})) : V{});
+        const Mask holds = link(k, Fields::active) > V{};
+        put(mask, pack_.of_link(k, Fields::pivot), holds ? inverse_or_zero(lane::max(pivot, V{})) : V{});
+        return holds ? pivot * inverse_or_zero(weight) : number(1);
     }
 };
 

@@ -92,7 +92,7 @@ template <int D> struct LinkFields {
 };
 
 /// Components of equal structure. A field has `stride` numbers, one for each lane: records of the particles, of the
-/// links, of the clusters, entries of the factor, energies.
+/// links, of the clusters, entries of the factor, energies and the angle.
 template <int D> struct LinkPack {
     static constexpr char moves_alone = 1, moves_with_cluster = 2;
     static constexpr double no_energy = -1e300; ///< none is due
@@ -122,10 +122,11 @@ template <int D> struct LinkPack {
     double* entry(std::size_t i) const { return of_cluster(clusters, 0) + i * stride; }
     double* energy() const { return entry(entries); }           ///< due, in its frame, times 2 h^2: at most
     double* least_energy() const { return entry(entries + 1); } ///< without the work of gravity
+    double* may_turn() const { return entry(entries + 2); }     ///< the links until the next factorisation, radians
     std::size_t size() const {
         using Fields = LinkFields<D>;
         return (particles * Fields::of_particle + links * Fields::of_link + clusters * Fields::of_cluster + entries +
-                2) *
+                3) *
                stride;
     }
 };

@@ -17,8 +17,8 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
     using Solution::activate, Solution::apply, Solution::apply_within, Solution::release;
     using Solution::between, Solution::blend, Solution::displacement, Solution::each_link, Solution::norm;
     using Solution::energy_in, Solution::frame, Solution::slight, Solution::width;
+    using Solution::may_turn, Solution::pack_, Solution::set_particle;
     using Solution::number, Solution::inverse_or_zero, Solution::link, Solution::set_link, Solution::particle;
-    using Solution::pack_, Solution::set_particle;
     using Solution::particle_vector, Solution::set_particle_vector, Solution::link_vector, Solution::set_link_vector;
     using typename Solution::Mask, typename Solution::Vector;
 
@@ -86,9 +86,6 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
   private:
     static constexpr int max_rounds = 8;
     static constexpr double taut = 1 - 1e-4; ///< share of its length at which a rope may begin to pull
-    /// Links that have turned by less, radians, since the last factorisation in the step are not factorised again: a
-    /// solution leaves that share of their rates.
-    static constexpr double slightly_turned = 1e-3;
 
     Mask live_;
 
@@ -111,7 +108,7 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
             }
             const Vector edge = at[1] - at[0];
             set_link_vector(k, Fields::edge, edge);
-            const V length = norm(edge), off_by = length * number(slightly_turned);
+            const V length = norm(edge), off_by = length * may_turn();
             const Vector off = edge - link_vector(k, Fields::factored) * length;
             changed = off_by * off_by < dot(off, off) ? number(1) : changed;
             if (row.is_rope == 0) return;
@@ -129,7 +126,7 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
             for (std::size_t c = 0; c < D; ++c) at.at[c] = here.gather(columns_.position + c * columns_.stride, i);
             return at;
         });
-        return here.have_turned(number(slightly_turned));
+        return here.have_turned(here.may_turn());
     }
     /// Directions of the edges, and inverse masses.
     [[gnu::flatten, gnu::noinline]] void take_directions(const Mask& mask) const {
@@ -209,7 +206,7 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
     /// short. Returns the lanes of such gradients, which do not keep the angular momentum.
     [[gnu::flatten, gnu::noinline]] Mask project_lengths() const {
         constexpr double exact = sizeof(Real) == sizeof(float) ? 1e-6 : 1e-9;
-        constexpr int usual_rounds = 4, all_rounds = 24;
+        constexpr int first_rounds = 2, usual_rounds = 4, all_rounds = 24;
         Mask live = live_, turned = lane::without(live, live);
         for (int i = 0; i < all_rounds; ++i) {
             if (i >= usual_rounds) {
@@ -230,7 +227,7 @@ template <int D, class Real, class V> class LinkProjection : LinkEnergy<D, Real,
             Solution::solve();
             const Mask released = i + 1 < all_rounds ? release(live) : lane::without(live, live);
             const Mask applied = lane::without(live, released);
-            apply_within(applied);
+            apply_within(applied, i >= first_rounds);
             Clusters::pose(applied);
         }
         return turned;

@@ -48,11 +48,13 @@ template <int D, class V> class LinkSolution : protected LinkClusters<D, V> {
         });
     }
     /// Applies at most such a share of the solution that no link changes by more than `max_change` of its length.
-    [[gnu::flatten, gnu::noinline]] void apply_within(const Mask& mask) const {
+    /// `searches`: where the whole of that leaves a large part of the errors, the best of it, a half and a quarter: the
+    /// links of a light chain that snaps taut under a heavy weight would fold to and fro.
+    [[gnu::flatten, gnu::noinline]] void apply_within(const Mask& mask, bool searches) const {
         const LinkSolution here = *this;
-        here.apply_within_here(mask);
+        here.apply_within_here(mask, searches);
     }
-    [[gnu::always_inline]] void apply_within_here(const Mask mask) const {
+    [[gnu::always_inline]] void apply_within_here(const Mask mask, bool searches) const {
         constexpr double max_change = 0.2;
         Clusters::clear_added();
         each_link([&](std::uint32_t k, const LinkRow& row) {
@@ -60,10 +62,10 @@ template <int D, class V> class LinkSolution : protected LinkClusters<D, V> {
         });
         V largest{};
         each_link([&](std::uint32_t k, const LinkRow& row) {
-            const Vector change = added_at(row.b, row.cluster_b) - added_at(row.a, row.cluster_a);
-            largest = lane::max(largest, norm(change) * link(k, Fields::per_length));
+            largest = lane::max(largest, norm(added_between(row)) * link(k, Fields::per_length));
         });
         V share = largest > number(max_change) ? number(max_change) / largest : number(1);
+        if (searches) share = best_of(share);
         share = mask ? share : V{};
         each_link([&](std::uint32_t k, const LinkRow& row) {
             const V right = link(k, Fields::right) * share;
@@ -73,6 +75,27 @@ template <int D, class V> class LinkSolution : protected LinkClusters<D, V> {
         for (std::size_t i = 0; i < pack_.particles; ++i)
             set_particle_vector(i, Fields::displacement, displacement(i) + particle_vector(i, Fields::added) * share);
         Clusters::add(share);
+    }
+    V best_of(const V& share) const {
+        constexpr double much = 0.25; // of the squares
+        const V half = share * number(0.5), quarter = share * number(0.25);
+        const V left = errors_after(share), of_half = errors_after(half), of_quarter = errors_after(quarter);
+        const V less = of_quarter < of_half ? quarter : half;
+        const V best = lane::min(of_half, of_quarter) < left ? less : share;
+        return left > errors_after(V{}) * number(much) ? best : share;
+    }
+    /// Sum of the squares of the relative errors of the lengths, after a share of the solution.
+    V errors_after(const V& share) const {
+        V sum{};
+        each_link([&](std::uint32_t k, const LinkRow& row) {
+            const Vector edge = link_vector(k, Fields::edge) + between(row) + added_between(row) * share;
+            const V error = (norm(edge) * link(k, Fields::per_length) - number(1)) * link(k, Fields::active);
+            sum = sum + error * error;
+        });
+        return sum;
+    }
+    Vector added_between(const LinkRow& row) const {
+        return added_at(row.b, row.cluster_b) - added_at(row.a, row.cluster_a);
     }
     Vector added_at(std::uint32_t i, std::uint32_t c) const {
         return c == LinkRow::none ? particle_vector(i, Fields::added) : Clusters::added_at(i, c);
