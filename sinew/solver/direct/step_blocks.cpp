@@ -91,19 +91,21 @@ template <int D, class Real> class BlockStep {
         state_.store();
     }
 
-    /// Step of a block pinned further apart than its length: as near to the lengths as possible.
+    /// Step of a block pinned further apart than its length, or found so stretched that no solution is near: as near to
+    /// the lengths as possible. The way back to them is no gain in speed.
     void solve_infeasible(double from, double to) {
         load(from, to);
         state_.forget_tensions();
         Substep substep(state_, contact_, lost_);
         auto& solve = substep.solve();
-        const double before = solve.worst_start_strain();
+        const double before = solve.worst_start_strain(), kinetic = solve.kinetic();
         solve.use_penalty();
         substep.run(Rule::backward_euler, stretched_iterations);
         constexpr double max_strain = 10;
         substep.retreat([&] { return solve.worst_position_strain() <= max(max_strain, before); });
         contact_.push_out(); // the solve has not converged
         substep.take_mean_velocities();
+        if (state_.works_alone()) substep.energy().slow_down(max(kinetic + substep.energy().work(), 0.0));
         state_.forget_tensions();
         state_.store();
     }
