@@ -181,7 +181,7 @@ template <int D, class Real> struct RigidLinks {
     }
 
     void keep_narrow(const SweepState<D, Real>& state) {
-        constexpr std::size_t max_per_link = 100;
+        constexpr std::size_t max_per_link = 100, max_with_ropes = 16; // each change of the ropes that pull is a factor
         first_at_.assign(state.size(), none);
         components.clear(), inner.clear();
         std::size_t kept = 0;
@@ -191,7 +191,9 @@ template <int D, class Real> struct RigidLinks {
             const auto kept_before = kept, inner_before = inner.size();
             const auto cluster_before = cluster;
             std::size_t size = 0;
+            bool has_ropes = false;
             for (; end < list.size() && list[end].root == root; ++end) {
+                has_ropes = has_ropes || list[end].is_rope;
                 if (is_inner(list[end])) {
                     inner.push_back(list[end]);
                     inner.back().root = clusters.cluster_of(list[end].a);
@@ -201,7 +203,7 @@ template <int D, class Real> struct RigidLinks {
                 size += width_of(std::uint32_t(kept++));
             }
             while (cluster < clusters.clusters.size() && sets_.first_of(first_of(cluster)) == root) ++cluster;
-            if (size > max_per_link * (kept - kept_before)) {
+            if (size > (has_ropes ? max_with_ropes : max_per_link) * (kept - kept_before)) {
                 for (auto i = kept_before; i < kept; ++i) leave_to_sweep(list[i]);
                 for (auto i = inner_before; i < inner.size(); ++i) leave_to_sweep(inner[i]);
                 kept = kept_before, inner.resize(inner_before);
