@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <type_traits>
 
 namespace sinew {
@@ -43,7 +42,6 @@ class ValueCheck {
         bounds();
         for (std::size_t i = 0; i < scene_.colliders.size(); ++i) collider(scene_.colliders[i], i);
         const bool is_buildable = document_.diagnostics.count() == before;
-        names();
         for (std::size_t i = 0; i < scene_.looks.size(); ++i)
             check_look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
@@ -68,27 +66,6 @@ class ValueCheck {
         else
             document_.error("/solver/precision", concat("this module has no worlds of ", wanted),
                             concat("load the module of ", wanted, " beside it, or leave out the precision"));
-    }
-
-    void names() {
-        std::set<std::string_view> seen;
-        for (std::size_t i = 0; i < scene_.figures.size(); ++i) {
-            const auto name = name_of(scene_.figures[i]);
-            const auto place = under("figures", i, scene_.figures[i].name.empty() ? "" : "name");
-            if (name.find('/') != std::string_view::npos)
-                document_.error(place, format_text("a figure's name cannot contain a slash, found \"{}\"", name));
-            if (!seen.insert(name).second)
-                document_.error(place, format_text("there is already a figure called \"{}\"", name),
-                                "give each figure its own \"name\"");
-        }
-        seen.clear();
-        for (std::size_t i = 0; i < scene_.colliders.size(); ++i) {
-            const auto& name = scene_.colliders[i].name;
-            if (!name.empty() && !seen.insert(name).second)
-                document_.error(under("colliders", i, "name"),
-                                format_text("there is already a collider called \"{}\"", name),
-                                "give each collider its own \"name\", or none");
-        }
     }
 
     void pairs() {

@@ -2,12 +2,21 @@
 
 #include "sinew/scene/scene.h"
 
+#include <functional>
+
 /// Checks of a scene beyond the types and ranges of single values.
 namespace sinew {
 
-/// Checks before building: unique names, sizes within the limits, prefabs that exist in the scene's dimension,
-/// constraints with consistent values. Returns true if a world can be built nevertheless, to look for more errors in.
+/// Checks before building: sizes within the limits, prefabs that exist in the scene's dimension, constraints with
+/// consistent values. Returns true if a world can be built nevertheless, to look for more errors in.
 bool check_values(const Scene& scene, Document& document);
+
+/// True if the name of a figure, by its index, is what its author means.
+using KnowsName = std::function<bool(std::size_t figure)>;
+
+/// Checks names: no two figures or colliders of one name, none that no reference can address. `knows`: figures to look
+/// at; all without it.
+void check_names(const Scene& scene, Document& document, const KnowsName& knows = {});
 
 /// The part of check_values about limits: numbers of figures, events, particles and constraints.
 void check_sizes(const Scene& scene, Document& document);

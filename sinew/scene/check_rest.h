@@ -18,11 +18,14 @@ class CheckRest {
     }
 
     void run() {
+        if (document_.diagnostics.full()) return; // what follows from errors that are not stored is unknown
+        unsound_ = wrong_;
+        // A name that is given is no consequence of a mistake beside it.
+        check_names(scene_, document_, [&](std::size_t i) { return has_name(scene_.figures[i], under("figures", i)); });
         const auto* figures = json::find(document_.root, "/figures");
         if (!figures || !figures->as<json::Array>()) return;
         Document values = silent_copy();
         check_values(scene_, values);
-        unsound_ = wrong_;
         for (const auto& error : values.diagnostics.in_order()) unsound_.push_back(error.path);
         tell(values, wrong_);
         Scene sound = scene_;
@@ -80,8 +83,15 @@ class CheckRest {
             nothing.name = section.name;
             section = std::move(nothing);
         });
-        if (is_unsound("/world")) sound.world = {};
+        if (is_unsound("/world")) sound.world = harmless(scene_.world);
         if (is_unsound("/solver")) sound.solver = {};
+    }
+    /// A world with the names of the given one: of what its forces pull, and of its walls.
+    static WorldSection harmless(const WorldSection& given) {
+        WorldSection world;
+        world.forces = given.forces;
+        if (given.bounds) world.bounds.emplace().planes.emplace_back();
+        return world;
     }
     static void leave_members(ConstraintSection& section) {
         ConstraintSection nothing;
@@ -102,17 +112,17 @@ class CheckRest {
             return is_within(unsound, place) && (figure.name.empty() || unsound != place + "/name");
         };
         if (std::ranges::none_of(unsound_, hurts)) return;
-        const auto is_wrong = [&](std::string_view part) {
-            return std::ranges::find(unsound_, concat(place, part)) != unsound_.end();
-        };
         auto* by_hand = std::get_if<ByHand>(&figure.made);
-        if (by_hand && !figure.name.empty() && !by_hand->particles.empty() && !is_wrong("/particles"))
+        if (by_hand && !figure.name.empty() && !by_hand->particles.empty() && !is_wrong(place + "/particles"))
             return each_unsound(place.substr(1) + "/constraints", by_hand->constraints, leave_members);
         FigureSection nothing;
         nothing.name = name_of(figure);
-        const bool has_name = !figure.name.empty() || !(is_wrong("") || is_wrong("/name") || is_wrong("/prefab"));
-        incomplete_.push_back(has_name ? nothing.name : "");
+        incomplete_.push_back(has_name(figure, place) ? nothing.name : "");
         figure = std::move(nothing);
+    }
+    bool is_wrong(const std::string& place) const { return std::ranges::find(unsound_, place) != unsound_.end(); }
+    bool has_name(const FigureSection& figure, const std::string& place) const {
+        return !figure.name.empty() || !(is_wrong(place) || is_wrong(place + "/name") || is_wrong(place + "/prefab"));
     }
 };
 

@@ -109,6 +109,7 @@ std::optional<Opened> open_scene(Document& document, const ImageReader& images, 
         CheckRest(opened.scene, document).run();
         return std::nullopt;
     }
+    check_names(opened.scene, document);
     opened.world = instantiate(opened.scene);
     check_references(opened.scene, opened.world, document);
     if (images) opened.images = read_images(opened, images, document);

@@ -267,6 +267,34 @@ TEST(Check, TellsTheRestBehindAFigureNamedTwice) {
     EXPECT_TRUE(says(said.errors, "called \"nobody\""));
 }
 
+TEST(Check, TellsAFigureNamedTwiceBesideAnotherMistakeOfIt) {
+    const auto twice = [](const std::string& more) {
+        return said_of(R"({"sinew": 1, "figures": [{"name": "b", "prefab": "rope"}, {"name": "b", )" + more + "}]}")
+            .errors;
+    };
+    for (const char* more : {R"("prefab": "rope", "lenght": 3)", R"("prefab": "rpoe")",
+                             R"("prefab": "rope", "mass": -3)", R"("prefab": "rope", "at": 3)"})
+        EXPECT_TRUE(says(twice(more), "there is already a figure called \"b\" at /figures/1/name")) << more;
+    const auto said =
+        said_of(R"({"sinew": 1, "figures": [{"prefab": "rope", "nmae": "a"}, {"prefab": "rope", "name": "rope"}]})");
+    EXPECT_EQ(said.errors.find("already"), std::string::npos) << "the first may have another name: " << said.errors;
+}
+
+TEST(Check, TellsTheNamesInAWorldWithMistakes) {
+    const auto world = [](const std::string& text) {
+        return said_of(R"({"sinew": 1, "world": {)" + text + R"(}, "figures": [{"prefab": "rope", "name": "r"}],
+            "pairs": [{"between": ["bounds", "r"], "friction": 1}]})")
+            .errors;
+    };
+    const std::string forces =
+        R"("bounds": {"planes": [{"normal": [0, 1]}]}, "forces": [{"force": "drag", "strength": -1},
+        {"force": "attractor", "center": [0, 0], "figure": "nobody"}])";
+    EXPECT_TRUE(says(world(forces), "there is no figure \"nobody\" at /world/forces/1/figure"));
+    EXPECT_TRUE(says(world(forces), "found the number -1"));
+    for (const auto& more : {forces, std::string(R"("bounds": {"bounce": -3})")})
+        EXPECT_EQ(world(more).find("no collider or figure"), std::string::npos) << "there are bounds: " << world(more);
+}
+
 TEST(ParticleName, WithoutItsFigureIsCompleted) {
     const std::string begin = R"({"sinew": 1, "figures": [{"name": "f", "particles": {"a": {"at": [0, 0]},
         "b": {"at": [1, 0]}}}], "constraints": [{"between": [)";
