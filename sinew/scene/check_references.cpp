@@ -42,6 +42,7 @@ template <int D, class Real> class ReferenceCheck {
     const World<D, Real>& world_;
     Document& document_;
     std::span<const std::string> incomplete_;
+    std::map<std::string, std::size_t, std::less<>> repeated_; ///< numbers of constraints by full name, once asked for
 
     bool is_incomplete(std::string_view figure) const {
         return std::ranges::find(incomplete_, figure) != incomplete_.end();
@@ -185,6 +186,28 @@ template <int D, class Real> class ReferenceCheck {
              });
     }
 
+    /// Checks a constraint that an event changes: one name, without a star, means one constraint. Removals that happen
+    /// again and again take one after the other.
+    void changed_constraint(const std::string& name, const std::string& place, bool is_each_in_turn) {
+        if (is_joined_later(name)) return;
+        constraint(name, place);
+        if (is_each_in_turn) return;
+        if (repeated_.empty()) find_repeated();
+        const auto count = repeated_.find(name);
+        if (count == repeated_.end() || count->second < 2) return;
+        document_.error(
+            place,
+            format_text("there are {} constraints {}, of which the event would reach one", count->second,
+                        in_quotes(name)),
+            concat("give each its own \"name\", or write ", in_quotes(name + "*"), " for all whose names begin so"));
+    }
+    /// Counts the constraints of each full name that scenes give.
+    void find_repeated() {
+        repeated_.try_emplace("");
+        for (const auto& figure : world_.figures)
+            for (const auto& [name, id] : figure.constraint_names) ++repeated_[concat(figure.name, "/", name)];
+    }
+
     void figure(const FigureSection& section, std::size_t i) {
         const auto& built = world_.figures[i];
         for (const auto& [name, kick] : section.kicks)
@@ -294,8 +317,7 @@ template <int D, class Real> class ReferenceCheck {
     }
     void event(const AdjustEvent& adjust, std::size_t i) {
         for (std::size_t k = 0; k < adjust.constraints.size(); ++k)
-            if (!is_joined_later(adjust.constraints[k]))
-                constraint(adjust.constraints[k], under("events", i, "adjust") + format_text("/{}", k));
+            changed_constraint(adjust.constraints[k], under("events", i, "adjust") + format_text("/{}", k), false);
         if (!adjust.has_values())
             document_.error(under("events", i, "adjust"), "an adjust without new values",
                             "say rest, low, high, compliance, max_force, breaking_strain or break_force");
@@ -310,8 +332,8 @@ template <int D, class Real> class ReferenceCheck {
             const auto place = under("events", i, "remove") + format_text("/{}", k);
             if (name.find('/') == std::string::npos) {
                 if (!find_figure(world_, name) && !collider_called(world_, name)) side(name, place);
-            } else if (!is_joined_later(name)) {
-                constraint(name, place);
+            } else {
+                changed_constraint(name, place, scene_.events[i].every > 0 || scene_.events[i].on);
             }
         }
     }

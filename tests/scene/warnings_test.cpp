@@ -41,6 +41,20 @@ std::string three(const std::string& constraints) {
            constraints + "]}]";
 }
 
+TEST(ConstraintName, OfSeveralIsNoneForAnEvent) {
+    const std::string twice = three(R"({"name": "x", "between": ["a", "b"]}, {"name": "x", "between": ["b", "c"]},
+        {"name": "y", "between": ["a", "c"]})");
+    const auto event = [&](const std::string& event) { return of(twice + R"(, "events": [{)" + event + "}]"); };
+    EXPECT_TRUE(is_silent(of(twice))) << "a name is a part of the looks, too";
+    for (const char* what : {R"("at": 1, "remove": ["f/x"])", R"("at": 1, "adjust": ["f/x"], "compliance": 1)"}) {
+        EXPECT_TRUE(says(event(what).errors, "there are 2 constraints \"f/x\", of which the event would reach one"));
+        EXPECT_TRUE(says(event(what).errors, "write \"f/x*\" for all"));
+    }
+    for (const char* what : {R"("at": 1, "remove": ["f/x*"])", R"("at": 1, "remove": ["f/y"])",
+                             R"("at": 1, "every": 1, "remove": ["f/x"])"})
+        EXPECT_TRUE(is_silent(event(what))) << what;
+}
+
 TEST(Name, ThatNoReferenceCanSayIsAnError) {
     const auto particle = [](const std::string& name) {
         return of(R"("figures": [{"name": "f", "particles": {")" + name + R"(": {"at": [0, 0]}}}])");
