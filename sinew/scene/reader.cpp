@@ -147,8 +147,11 @@ std::string suggested_paths(const std::vector<std::string>& paths) {
     return help + "?";
 }
 
-/// Paths in other sections of a file at which a key is allowed, or the word that Sinew has for the key.
-std::vector<std::string> section_paths(std::string_view key, const Reading& in) {
+/// Paths at which a key of a file is allowed, or the word that Sinew has for the key: in the records around it, or else
+/// in other sections.
+std::vector<std::string> paths_for(std::string_view key, const Path& path, const Reading& in) {
+    if (in.around)
+        if (auto around = in.around(path.text(), key); !around.empty()) return around;
     if (!in.in_sections) return {};
     auto paths = in.in_sections(key);
     for (const auto word : own_names(key))
@@ -157,7 +160,8 @@ std::vector<std::string> section_paths(std::string_view key, const Reading& in) 
 }
 
 /// Help for an unknown key. An override has no surrounding file to look at, so its author gets full paths.
-std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Reading& in) {
+std::string help_with(const json::Member& member, const std::vector<std::string_view>& allowed, const Path& path,
+                      const Reading& in) {
     constexpr std::uint32_t file = 0;
     const auto renamed = new_name(member.key);
     const auto word = renamed.empty() ? std::string_view(member.key) : renamed;
@@ -166,7 +170,7 @@ std::string help_with(const json::Member& member, const std::vector<std::string_
                          (!is_in_section && !nearest(word, allowed).empty());
     if (is_near) return suggest(member.key, allowed);
     if (member.key_span.source == file) {
-        const auto paths = suggested_paths(section_paths(member.key, in));
+        const auto paths = suggested_paths(paths_for(member.key, path, in));
         return concat(paths, paths.empty() ? "" : " ", suggest({}, allowed));
     }
     const auto paths = in.elsewhere ? suggested_paths(in.elsewhere(member.key)) : std::string();
@@ -181,7 +185,7 @@ bool report_unknown(const json::Object& object, const std::vector<std::string_vi
         any = true;
         if (room(in))
             in.diagnostics.error(member.key_span, path.text(), concat("unknown property ", in_quotes(member.key)),
-                                 help_with(member, allowed, in));
+                                 help_with(member, allowed, path, in));
     }
     return any;
 }

@@ -28,6 +28,8 @@ struct Reading {
     std::function<std::vector<std::string>(std::string_view key)> elsewhere = {};
     /// Full paths at which a misplaced key of a file is allowed, outside of lists: "world.gravity".
     std::function<std::vector<std::string>(std::string_view key)> in_sections = {};
+    /// Full paths at which a misplaced key of a file is allowed, in the records around a place.
+    std::function<std::vector<std::string>(std::string_view place, std::string_view key)> around = {};
 };
 
 /// Position of the reader in the document: a linked list on the stack, converted to text only for a message.

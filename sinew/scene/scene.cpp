@@ -101,6 +101,11 @@ std::optional<Opened> open_scene(Document& document, const ImageReader& images, 
                      [&](std::string_view key) {
                          if (!layout) layout = scene_layout();
                          return exact_key_paths(*layout, json::Object{}, key);
+                     },
+                 .around =
+                     [&](std::string_view place, std::string_view key) {
+                         if (!layout) layout = scene_layout();
+                         return key_paths_around(*layout, document.root, place, key);
                      }});
     const bool is_read = document.diagnostics.count() == without_version;
     if (models) read_models(opened.scene, models, document);

@@ -324,6 +324,25 @@ TEST(Words, OfOtherEnginesLeadToOurs) {
     EXPECT_TRUE(says(in(R"("figures": [{"prefab": "rope", "color": "red"}])"), "did you mean \"looks\"?"));
 }
 
+TEST(Words, ThatBelongToTheFigureAroundLeadThere) {
+    const auto particle = [](const std::string& text) {
+        return said_of(
+                   R"({"sinew": 1, "figures": [{"prefab": "rope"}, {"name": "b", "particles": {"a": {"at": [0, 0], )" +
+                   text + "}}}]}")
+            .errors;
+    };
+    EXPECT_TRUE(says(particle(R"("restitution": 0.4)"), "did you mean \"figures.b.contact.bounce\"?"));
+    EXPECT_TRUE(says(particle(R"("friction": 0.4)"), "did you mean \"figures.b.contact.friction\"?"));
+    EXPECT_TRUE(says(particle(R"("color": "red")"), "did you mean \"figures.b.looks\"?"));
+    EXPECT_TRUE(says(particle(R"("contact": {})"), "did you mean \"figures.b.contact\"?"));
+    EXPECT_EQ(particle(R"("wheel": 1)").find("did you mean"), std::string::npos) << "no prefab for a particle";
+    const auto constraint =
+        said_of(R"({"sinew": 1, "figures": [{"particles": {"a": {"at": [0, 0]}, "b": {"at": [1, 0]}},
+        "constraints": [{"between": ["a", "b"], "restitution": 1}]}]})");
+    EXPECT_TRUE(says(constraint.errors, "did you mean \"figures.0.contact.bounce\"?"));
+}
+
+// All mistakes at once: misspelt keys hide no unknown names, and what follows from a mistake is not told beside it.
 // All mistakes at once: misspelt keys hide no unknown names, and what follows from a mistake is not told beside it.
 TEST(Errors, OfShapeDoNotHideThoseOfNames) {
     const auto said = said_of(R"({"sinew": 1, "figures": [
