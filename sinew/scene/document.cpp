@@ -245,7 +245,7 @@ void shift(Value& value, std::uint32_t source, std::uint32_t by) {
 /// Reports the first mistake of a value that was meant as JSON: that opens a list, an object or a string, or is a
 /// number beyond all numbers. False for any other text, which is a word.
 bool report_broken(std::string_view text, const Diagnostics& told, std::uint32_t source, std::uint32_t begin,
-                   Diagnostics& diagnostics) {
+                   const std::vector<Step>& steps, Diagnostics& diagnostics) {
     const auto all = told.in_order();
     if (all.empty() || text.empty()) return false;
     auto [span, path, message, help] = all.front();
@@ -253,19 +253,22 @@ bool report_broken(std::string_view text, const Diagnostics& told, std::uint32_t
     if (!opens && !message.starts_with("the number ")) return false;
     if (const std::string_view file = "the file"; message.starts_with(file))
         message.replace(0, file.size(), "the value");
-    diagnostics.error({source, begin + span.begin, begin + span.end}, "", std::move(message), std::move(help));
+    std::string place;
+    for (const auto& step : steps) place += json::pointer_step(step.key);
+    diagnostics.error({source, begin + span.begin, begin + span.end}, std::move(place), std::move(message),
+                      std::move(help));
     return true;
 }
 
 /// Parses a text as JSON; a text that is no JSON becomes a string. Nothing for broken JSON, which is reported.
-std::optional<Value> value_of(std::string_view text, std::uint32_t source, std::uint32_t begin, const Limits& limits,
-                              Diagnostics& diagnostics) {
+std::optional<Value> value_of(std::string_view text, std::uint32_t source, std::uint32_t begin,
+                              const std::vector<Step>& steps, const Limits& limits, Diagnostics& diagnostics) {
     Diagnostics told;
     if (auto value = json::parse(told.add_source({}, std::string(text)), told, limits); value && told.ok()) {
         shift(*value, source, begin);
         return std::move(*value);
     }
-    if (report_broken(text, told, source, begin, diagnostics)) return {};
+    if (report_broken(text, told, source, begin, steps, diagnostics)) return {};
     Value value(text);
     value.span = {source, begin, begin + std::uint32_t(text.size())};
     return value;
@@ -289,9 +292,10 @@ std::optional<Assignment> take_apart(const Override& override, Diagnostics& diag
         diagnostics.error({source, 0, std::uint32_t(equals)}, "", "longer than any value of a scene");
         return {};
     }
-    auto value = value_of(pair.substr(equals + 1), source, std::uint32_t(equals + 1), limits, diagnostics);
+    auto steps = steps_of(pair.substr(0, equals), source);
+    auto value = value_of(pair.substr(equals + 1), source, std::uint32_t(equals + 1), steps, limits, diagnostics);
     if (!value) return {};
-    return Assignment{steps_of(pair.substr(0, equals), source), std::move(*value)};
+    return Assignment{std::move(steps), std::move(*value)};
 }
 
 /// Sets the value at the end of the steps and creates missing objects along the path. Unknown keys are left for the

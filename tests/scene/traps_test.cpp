@@ -343,7 +343,6 @@ TEST(Words, ThatBelongToTheFigureAroundLeadThere) {
 }
 
 // All mistakes at once: misspelt keys hide no unknown names, and what follows from a mistake is not told beside it.
-// All mistakes at once: misspelt keys hide no unknown names, and what follows from a mistake is not told beside it.
 TEST(Errors, OfShapeDoNotHideThoseOfNames) {
     const auto said = said_of(R"({"sinew": 1, "figures": [
         {"name": "f", "particles": {"a": {"position": [0, 0]}, "b": {"at": [1, 0]}}, "constraints": [
@@ -376,7 +375,8 @@ TEST(Override, ThatIsBrokenIsNoWord) {
     };
     EXPECT_TRUE(says(said("world.gravity=[0,-9.81"), "the value ends too early"));
     EXPECT_TRUE(says(said("world.gravity=[0,-9.81"), "is not closed"));
-    EXPECT_TRUE(says(said("figures.rope.mass=1e400"), "the number 1e400 is too large"));
+    EXPECT_TRUE(says(said("figures.rope.mass=1e400"), "the number 1e400 is too large at /figures/rope/mass"));
+    EXPECT_TRUE(says(said("precision=[1"), "at /solver/precision"));
     EXPECT_TRUE(says(said("figures.rope.pinned=nobody"), "expected \"start\", \"end\", \"both\" or \"none\""));
 }
 
