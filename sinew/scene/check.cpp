@@ -42,6 +42,9 @@ class ValueCheck {
         bounds();
         for (std::size_t i = 0; i < scene_.colliders.size(); ++i) collider(scene_.colliders[i], i);
         const bool is_buildable = document_.diagnostics.count() == before;
+        for (std::size_t i = 0; i < scene_.world.forces.size(); ++i)
+            detail::visit_held(scene_.world.forces[i].force,
+                               [&](const auto& force) { this->force(force, "/world" + under("forces", i)); });
         for (std::size_t i = 0; i < scene_.looks.size(); ++i)
             check_look(scene_.looks[i].second, "/looks" + json::pointer_step(scene_.looks[i].first));
         for (std::size_t i = 0; i < scene_.pins.size(); ++i)
@@ -158,6 +161,7 @@ class ValueCheck {
                 document_.error(under("events", i, "drive"), "a joined constraint has no drive",
                                 "list the constraint in its figure, or give it new limits by an event \"adjust\"");
         }
+        if (const auto* gust = std::get_if<GustEvent>(&section.event)) air(*gust, under("events", i));
         if (const auto* adjust = std::get_if<AdjustEvent>(&section.event))
             check_limits(*adjust, under("events", i), document_);
     }
@@ -179,6 +183,22 @@ class ValueCheck {
         if (!section.motion) return;
         detail::visit_held(section.motion->driver,
                            [&](const auto& driver) { check_driver(driver, under("colliders", index, "motion/keys")); });
+    }
+
+    template <class Force> void force(const Force&, const std::string&) {}
+    void force(const WindForce& wind, const std::string& place) { air(wind, place); }
+    void force(const RandomPushForce& push, const std::string& place) {
+        for (int k = 0; k < scene_.dimension; ++k)
+            if (push.low[k] > push.high[k])
+                document_.error(place + format_text("/low/{}", k),
+                                format_text("low ({}) is above high ({})", push.low[k], push.high[k]));
+    }
+    /// Warns of a drag coefficient that has no air to press with.
+    template <class Wind> void air(const Wind& wind, const std::string& place) {
+        const auto coefficient = place + "/drag_coefficient";
+        if (wind.density == 0 && json::find(document_.root, coefficient))
+            document_.warn(coefficient, "a drag_coefficient does nothing without a density of the air",
+                           "give the wind a \"density\", 1.2 kg/m^3 at sea level");
     }
 
     void bounds() {

@@ -41,6 +41,33 @@ std::string three(const std::string& constraints) {
            constraints + "]}]";
 }
 
+TEST(RandomPush, FromHighToLowIsAnError) {
+    const auto push = [](const std::string& range) {
+        return of(R"("world": {"forces": [{"force": "random_push", )" + range +
+                  R"(}]}, "figures": [{"prefab": "rope"}])");
+    };
+    EXPECT_TRUE(
+        says(push(R"("low": [5, 0], "high": [0, 0])").errors, "low (5) is above high (0) at /world/forces/0/low/0"));
+    EXPECT_TRUE(says(push(R"("low": [0, 2], "high": [0, 1])").errors, "at /world/forces/0/low/1"));
+    EXPECT_TRUE(is_silent(push(R"("low": [-1, 0], "high": [1, 0])")));
+}
+
+TEST(Wind, WithADragCoefficientNeedsADensity) {
+    for (const auto& [wind, place] :
+         {std::pair(R"("world": {"forces": [{"force": "wind", "velocity": [3, 0]%}]})",
+                    "/world/forces/0/drag_coefficient"),
+          std::pair(R"("events": [{"at": 1, "gust": [3, 0]%}])", "/events/0/drag_coefficient")}) {
+        const auto with = [&](const std::string& more) {
+            auto text = std::string(wind);
+            return of(text.replace(text.find('%'), 1, more) + R"(, "figures": [{"prefab": "rope"}])");
+        };
+        EXPECT_TRUE(says(with(R"(, "drag_coefficient": 2)").warnings,
+                         "a drag_coefficient does nothing without a density of the air at " + std::string(place)));
+        EXPECT_TRUE(is_silent(with(R"(, "drag_coefficient": 2, "density": 1.2)")));
+        EXPECT_TRUE(is_silent(with(R"(, "strength": 1)")));
+    }
+}
+
 TEST(ConstraintName, OfSeveralIsNoneForAnEvent) {
     const std::string twice = three(R"({"name": "x", "between": ["a", "b"]}, {"name": "x", "between": ["b", "c"]},
         {"name": "y", "between": ["a", "c"]})");
