@@ -1,6 +1,7 @@
 #include "sinew/math/format.h"
 #include "sinew/math/union_find.h"
 #include "sinew/scene/check.h"
+#include "sinew/scene/check_breaking.h"
 #include "sinew/scene/check_floats.h"
 #include "sinew/scene/check_overlaps.h"
 #include "sinew/scene/types.h"
@@ -193,6 +194,7 @@ void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document
     std::visit(
         [&]<int D, class Real>(const World<D, Real>& w) {
             TrapCheck(scene, w, document).run();
+            BreakingCheck(scene, w, document).run();
             OverlapCheck(scene, w, document).run();
             if constexpr (std::is_same_v<Real, float>) FloatCheck(scene, w, document).run();
         },

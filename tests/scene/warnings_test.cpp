@@ -41,6 +41,56 @@ std::string three(const std::string& constraints) {
            constraints + "]}]";
 }
 
+TEST(Strength, AboveTheLargestForceIsNeverReached) {
+    const auto link = [](const std::string& more) { return of(three(R"({"between": ["a", "b"], )" + more + "}")); };
+    EXPECT_TRUE(says(link(R"("max_force": 5, "break_force": 9)").warnings,
+                     "a break_force of 9 is never reached: the force is 5 at most, the max_force at "
+                     "/figures/0/constraints/0/break_force"));
+    EXPECT_TRUE(says(link(R"("max_force": 5, "break_force": 5, "compliance": 0.1)").warnings, "never reached"));
+    EXPECT_TRUE(is_silent(link(R"("max_force": 5, "break_force": 4)")));
+    EXPECT_TRUE(is_silent(link(R"("break_force": 9)")));
+    EXPECT_TRUE(is_silent(link(R"("max_force": 5, "break_force": 9, "drive": {"speed": 1, "keys": [
+        {"at": 1, "strength": 2}]})")))
+        << "the keys give it 10 N";
+    const auto named = R"({"name": "k", "between": ["a", "b"], "max_force": 5, "break_force": 9})";
+    for (const char* name : {"f/k", "f/*"})
+        EXPECT_TRUE(
+            is_silent(of(three(named) + R"(, "events": [{"at": 1, "adjust": [")" + name + R"("], "max_force": 20}])")))
+            << name;
+    EXPECT_TRUE(says(of(three("") + R"(, "events": [{"at": 1, "join": ["f/a", "f/b"], "max_force": 5,
+        "break_force": 9}])")
+                         .warnings,
+                     "at /events/0/break_force"));
+}
+
+TEST(Strength, OfALengthThatSlipsBeforeItIsStrainedSoFar) {
+    const auto link = [](const std::string& more) { return of(three(R"({"between": ["a", "b"], )" + more + "}")); };
+    // 5 N at 0.01 m/N are 0.05 m of a length of 1 m.
+    const std::string slips = R"("compliance": 0.01, "max_force": 5, "breaking_strain": )";
+    for (const char* rest : {"", R"(, "rest": 1)", R"(, "high": 1)"}) {
+        EXPECT_TRUE(says(link(slips + "0.06" + rest).warnings,
+                         "a breaking_strain of 0.06 is never reached: beyond a strain of 0.05"))
+            << rest;
+        EXPECT_TRUE(is_silent(link(slips + "0.04" + rest))) << rest;
+    }
+    EXPECT_TRUE(is_silent(of(three(R"({"kind": "angle", "between": ["a", "b", "c"], "compliance": 0.01, "max_force": 5,
+        "breaking_strain": 0.5})"))))
+        << "an angle gives way, and is strained the more";
+}
+
+TEST(Damage, NeedsTheStrainBeyondWhichItAddsUp) {
+    const std::string message = "a damage_limit does nothing without a breaking_strain";
+    EXPECT_TRUE(says(of(three(R"({"between": ["a", "b"], "damage_limit": 0.3})")).warnings, message));
+    for (const char* prefab : {"rope", "chain", "cloth"}) {
+        const auto figure = fmt::format(R"("figures": [{{"prefab": "{}", "damage_limit": 1)", prefab);
+        EXPECT_TRUE(
+            says(of(figure + "}]").warnings, message + ", beyond which damage adds up at /figures/0/damage_limit"))
+            << prefab << of(figure + "}]").errors;
+        EXPECT_EQ(of(figure + R"(, "breaking_strain": 0.1}])").warnings.find(message), std::string::npos) << prefab;
+    }
+    EXPECT_TRUE(is_silent(of(R"("figures": [{"prefab": "curtain"}])"))) << "with a strain of its own";
+}
+
 TEST(RandomPush, FromHighToLowIsAnError) {
     const auto push = [](const std::string& range) {
         return of(R"("world": {"forces": [{"force": "random_push", )" + range +
