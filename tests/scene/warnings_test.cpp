@@ -118,6 +118,72 @@ TEST(Wind, WithADragCoefficientNeedsADensity) {
     }
 }
 
+TEST(Blow, ToWhatIsPinnedDoesNothing) {
+    const auto blow = [](const std::string& more, const std::string& events = "") {
+        return of(R"("figures": [{"prefab": "rope", "name": "r"}], "events": [{"at": 1, )" + more +
+                  R"(, "by": [1, 0]})" + events + "]");
+    };
+    EXPECT_TRUE(says(blow(R"("impulse": "r/start")").warnings,
+                     "\"r/start\" is pinned: this impulse does nothing at /events/0/impulse"));
+    EXPECT_TRUE(says(blow(R"("kick": "r/start")").warnings, "this kick does nothing"));
+    for (const char* free : {R"("impulse": "r/end")", R"("impulse": "r")", R"("kick": "r/particle_*")"})
+        EXPECT_TRUE(is_silent(blow(free))) << free;
+    const auto release = [&](const std::string& when) {
+        return blow(R"("impulse": "r/start")", ", {" + when + R"(, "release": "r/start"})").warnings;
+    };
+    EXPECT_EQ(release(R"("at": 0.5)"), "");
+    EXPECT_EQ(release(R"("at": 1)"), "");
+    EXPECT_TRUE(says(release(R"("at": 2)"), "does nothing"));
+    EXPECT_EQ(blow(R"("every": 1, "impulse": "r/start")", R"(, {"at": 2, "release": "r/start"})").warnings, "")
+        << "it moves from then on";
+    const auto pinned = of(R"("figures": [{"prefab": "box", "name": "b"}], "pins": [{"particle": "b/*"}],
+        "events": [{"at": 1, "impulse": "b", "by": [1, 0]}])");
+    EXPECT_TRUE(says(pinned.warnings, "\"b\" is pinned"));
+}
+
+/// Two balls over a floor, with contact of each and an event.
+Said balls(const std::string& one, const std::string& other, const std::string& on, const std::string& more = "") {
+    const auto ball = [](const char* name, int height, const std::string& contact) {
+        return fmt::format(R"({{"prefab": "ball", "name": "{}", "at": [0, {}], "contact": {{{}}}}})", name, height,
+                           contact);
+    };
+    return of(fmt::format(R"("figures": [{}, {}], "colliders": [{{"shape": "half_space", "name": "floor"}},
+        {{"shape": "sphere", "name": "ghost", "layers": [9], "at": [9, 9]}}],
+        "events": [{{"on": {{{}}}, "note": "n"}}]{})",
+                          ball("r", 2, one), ball("s", 4, other), on, more));
+}
+
+TEST(Contact, ThatCannotBeIsTold) {
+    const std::string figures = R"("figures": true)", of_both = R"("of": "r", "with": "s")";
+    EXPECT_TRUE(is_silent(balls(figures, figures, of_both)));
+    const auto neither = balls("", "", of_both);
+    EXPECT_TRUE(says(neither.warnings, "this event never happens: \"r\" and \"s\" cannot touch at /events/0/on/with"));
+    EXPECT_TRUE(says(neither.warnings, "give \"r\" and \"s\" \"contact\": {\"figures\": true}"));
+    EXPECT_TRUE(says(balls(figures, "", of_both).warnings, "give \"s\" \"contact\""));
+    EXPECT_TRUE(says(balls("", figures, of_both).warnings, "give \"r\" \"contact\""));
+    EXPECT_TRUE(
+        says(balls(figures, figures, of_both, R"(, "solver": {"mode": "classic"})").warnings, "in classic mode"));
+    EXPECT_TRUE(says(balls(figures, figures + R"(, "layers": [3], "touches": [3])", of_both).warnings,
+                     "the layers of \"r\" and \"s\" do not touch"));
+
+    EXPECT_TRUE(is_silent(balls("", "", R"("of": "r", "with": "floor")")));
+    EXPECT_TRUE(says(balls(R"("touches": [0])", "", R"("of": "r", "with": "ghost")").warnings,
+                     "the layers of \"r\" and \"ghost\" do not touch"));
+    EXPECT_TRUE(is_silent(balls("", "", R"("of": "r")"))) << "the floor is there";
+    EXPECT_TRUE(says(balls(R"("touches": [])", "", R"("of": "r")").warnings, "nothing in the scene touches \"r\""));
+    EXPECT_TRUE(says(balls("", "", R"("of": "r", "with": "r")").warnings, "\"r\" has no contact with itself"));
+    EXPECT_TRUE(is_silent(balls(R"("itself": true)", "", R"("of": "r", "with": "r")")));
+}
+
+TEST(Layers, ThatNothingIsInAreTold) {
+    const auto touches = [](const std::string& layers) {
+        return of(R"("figures": [{"prefab": "ball", "name": "r", "contact": {"figures": true, "touches": )" + layers +
+                  R"(}}, {"prefab": "ball", "name": "s", "at": [0, 4], "contact": {"figures": true, "layers": [1]}}])");
+    };
+    EXPECT_TRUE(says(touches("[2]").warnings, "\"r\" touches nothing: no figure and no collider is in these layers"));
+    for (const char* meant : {"[1]", "[]", "[1, 2]"}) EXPECT_TRUE(is_silent(touches(meant))) << meant;
+}
+
 TEST(ConstraintName, OfSeveralIsNoneForAnEvent) {
     const std::string twice = three(R"({"name": "x", "between": ["a", "b"]}, {"name": "x", "between": ["b", "c"]},
         {"name": "y", "between": ["a", "c"]})");
