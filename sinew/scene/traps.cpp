@@ -3,6 +3,7 @@
 #include "sinew/scene/check.h"
 #include "sinew/scene/check_breaking.h"
 #include "sinew/scene/check_events.h"
+#include "sinew/scene/check_far.h"
 #include "sinew/scene/check_floats.h"
 #include "sinew/scene/check_overlaps.h"
 #include "sinew/scene/types.h"
@@ -197,6 +198,7 @@ void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document
             TrapCheck(scene, w, document).run();
             BreakingCheck(scene, w, document).run();
             EventCheck(scene, w, document).run();
+            FarCheck(scene, w, document).run();
             OverlapCheck(scene, w, document).run();
             if constexpr (std::is_same_v<Real, float>) FloatCheck(scene, w, document).run();
         },

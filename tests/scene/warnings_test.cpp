@@ -184,6 +184,65 @@ TEST(Layers, ThatNothingIsInAreTold) {
     for (const char* meant : {"[1]", "[]", "[1, 2]"}) EXPECT_TRUE(is_silent(touches(meant))) << meant;
 }
 
+TEST(Pin, ThatBeginsFarAwayIsToldWithTheSpeed) {
+    const auto pin = [](const std::string& more) {
+        return of(R"("figures": [{"prefab": "box", "name": "b", "mass": 8}], "pins": [{"particle": "b/top_left")" +
+                  more + "}]");
+    };
+    // From (-0.25, 0.25) 10 m up with 2 / 3200 m/N: 80 kJ, which is 141 m/s of 8 kg. With four times the compliance
+    // half of it.
+    const auto far = pin(R"(, "to": [-0.25, 10.25], "compliance": 6.25e-4)");
+    EXPECT_TRUE(says(far.warnings, "at /pins/0/to"));
+    EXPECT_TRUE(says(far.warnings, "m/s: more than 100 m/s"));
+    EXPECT_TRUE(is_silent(pin(R"(, "to": [-0.25, 10.25], "compliance": 25e-4)")));
+    EXPECT_TRUE(is_silent(pin(R"(, "to": [-0.25, 10.25], "compliance": 1e-5, "max_force": 500)")));
+    EXPECT_TRUE(says(pin(R"(, "to": [-0.25, 10.25])").warnings, "m/s: more than")) << "in one step";
+    EXPECT_TRUE(is_silent(pin(R"(, "to": [-0.25, 0.75])")));
+    EXPECT_TRUE(is_silent(pin(R"(, "compliance": 1e-9)")));
+}
+
+TEST(Grab, OfWhatIsFarAwayNeedsADuration) {
+    const auto grab = [](const std::string& more, const std::string& rest = "") {
+        return of(R"("world": {"gravity": [0, -9.81]}, "figures": [{"prefab": "ragdoll", "name": "b"}],
+            "events": [{"grab": "b/head", )" +
+                  more + "}]" + rest);
+    };
+    const auto far = grab(R"("at": 0.5, "to": [9, 0])");
+    EXPECT_TRUE(says(far.warnings, "this grab takes \"b/head\" at least")) << far.errors;
+    EXPECT_TRUE(says(far.warnings, "more than 100 m/s at /events/0/grab"));
+    EXPECT_TRUE(is_silent(grab(R"("at": 0.5, "to": [9, 0], "duration": 1)")));
+    EXPECT_TRUE(is_silent(grab(R"("at": 0.5, "to": [9, 0], "compliance": 0.1)")));
+    EXPECT_TRUE(is_silent(grab(R"("at": 3, "to": [9, 0])"))) << "it may have fallen there";
+    EXPECT_TRUE(is_silent(grab(R"("at": 0.5)")));
+    EXPECT_TRUE(is_silent(grab(R"("at": 0.5, "to": [9, 0])", R"(, "pins": [{"particle": "b/left_foot", "driver": "bob",
+        "by": [1, 0]}])")))
+        << "it may be driven there";
+}
+
+TEST(Join, OfWhatIsFarApartIsToldWithTheSpeed) {
+    const auto join = [](const std::string& more) {
+        return of(R"("figures": [{"prefab": "box", "name": "b"}, {"prefab": "box", "name": "d", "at": [4, 0]}],
+            "events": [{"at": 0.5, "join": ["b/top_left", "d/top_left"])" +
+                  more + "}]");
+    };
+    EXPECT_TRUE(says(join(R"(, "rest": 0.1)").warnings,
+                     "\"b/top_left\" and \"d/top_left\" are at least 3.9 m too far apart for this join"));
+    EXPECT_TRUE(says(join(R"(, "high": 1, "compliance": 1e-6)").warnings, "more than 100 m/s at /events/0/join"));
+    for (const char* meant : {"", R"(, "rest": 4)", R"(, "high": 5)", R"(, "rest": 0.1, "within": 1)",
+                              R"(, "rest": 0.1, "max_force": 50)", R"(, "rest": 0.1, "compliance": 1)"})
+        EXPECT_TRUE(is_silent(join(meant))) << meant;
+}
+
+TEST(Speed, OfAHoldIsInTheUnitsOfTheScene) {
+    const auto pin = [](const std::string& to) {
+        return of(R"("units": {"length": "px"}, "figures": [{"prefab": "ball", "name": "b"}], "pins": [
+            {"particle": "b/*", "to": )" +
+                  to + "}]");
+    };
+    EXPECT_TRUE(says(pin("[0, 200]").warnings, "more than 10000 px/s"));
+    EXPECT_TRUE(is_silent(pin("[0, 100]")));
+}
+
 TEST(ConstraintName, OfSeveralIsNoneForAnEvent) {
     const std::string twice = three(R"({"name": "x", "between": ["a", "b"]}, {"name": "x", "between": ["b", "c"]},
         {"name": "y", "between": ["a", "c"]})");
