@@ -27,7 +27,8 @@ void check_references(const Scene& scene, const AnyWorld& world, Document& docum
                       std::span<const std::string> incomplete = {});
 
 /// Warns of values that a valid scene can hardly mean: strains that no link reaches, a mesh in several parts, welded
-/// points, figures in each other that cannot touch, places too far out for floats.
+/// points, figures in each other that cannot touch, events that never happen or do nothing, holds that begin far away,
+/// values that classic mode does not know, places too far out for floats.
 void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document);
 
 /// A JSON pointer in a document: "/figures/2/looks".

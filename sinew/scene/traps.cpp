@@ -2,6 +2,7 @@
 #include "sinew/math/union_find.h"
 #include "sinew/scene/check.h"
 #include "sinew/scene/check_breaking.h"
+#include "sinew/scene/check_classic.h"
 #include "sinew/scene/check_events.h"
 #include "sinew/scene/check_far.h"
 #include "sinew/scene/check_floats.h"
@@ -203,6 +204,7 @@ void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document
             if constexpr (std::is_same_v<Real, float>) FloatCheck(scene, w, document).run();
         },
         world);
+    ClassicCheck(scene, document).run();
 }
 
 } // namespace sinew

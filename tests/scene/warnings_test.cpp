@@ -243,6 +243,26 @@ TEST(Speed, OfAHoldIsInTheUnitsOfTheScene) {
     EXPECT_TRUE(is_silent(pin("[0, 100]")));
 }
 
+TEST(ClassicMode, HasNoForces) {
+    const auto figure = [](const std::string& more, const std::string& mode = "classic") {
+        return of(R"("solver": {"mode": ")" + mode + R"("}, "figures": [{)" + more + "}]");
+    };
+    EXPECT_TRUE(says(figure(R"("prefab": "rope", "break_force": 3)").warnings,
+                     "classic mode has no break_force: constraints are corrected in passes, not by forces at "
+                     "/figures/0/break_force"));
+    EXPECT_TRUE(
+        says(figure(R"("prefab": "rope", "bend_stiffness": 3)").warnings, "classic mode has no bend_stiffness"));
+    EXPECT_TRUE(says(figure(R"("prefab": "chain", "bend_limit": 20)").warnings, "classic mode has no bend_limit"));
+    EXPECT_TRUE(is_silent(figure(R"("prefab": "chain", "bend_limit": 20)", "physical")));
+    EXPECT_TRUE(is_silent(figure(R"("prefab": "rope", "break_force": 0)")));
+    const auto springs =
+        of(R"("solver": {"mode": "classic"}, )" +
+           three(R"({"between": ["a", "b"], "compliance": 1}, {"between": ["b", "c"], "compliance": 2})"));
+    EXPECT_TRUE(says(springs.warnings, "(and 1 more) at /figures/0/constraints/0/compliance"));
+    const std::string rope = R"({"sinew": 1, "figures": [{"prefab": "rope", "break_force": 3}]})";
+    EXPECT_TRUE(is_silent(said_of(rope, {{"mode=classic"}}))) << "a scene of physical mode, looked at in the other";
+}
+
 TEST(ConstraintName, OfSeveralIsNoneForAnEvent) {
     const std::string twice = three(R"({"name": "x", "between": ["a", "b"]}, {"name": "x", "between": ["b", "c"]},
         {"name": "y", "between": ["a", "c"]})");
