@@ -41,6 +41,8 @@ std::function<canvas::Failure(std::span<const std::byte>)> append_to(const fs::p
     const auto explained = [name](int reason) {
         return canvas::Failure("cannot write " + name + ": " + std::strerror(reason));
     };
+    std::error_code told_by_opening;
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), told_by_opening);
     const std::shared_ptr<std::FILE> file(std::fopen(name.c_str(), "wb"), [](std::FILE* held) {
         if (held) std::fclose(held);
     });

@@ -50,6 +50,7 @@ std::string overview_text() {
                        SINEW_VERSION, bold("commands"), table(rows), bold("words"), words_text, bold("examples"),
                        overview_examples) +
            fmt::format("\nThe catalogue is {}; SINEW_SCENES=FOLDER in the environment names another.\n"
+                       "Folders that are missing on the way to a file that is written are made.\n"
                        "Exit codes: 0 done, 1 the input cannot be used, 2 wrong usage.\n",
                        catalogue_folder().string());
 }

@@ -93,6 +93,19 @@ TEST(Recordings, AreReplayedAndTellWhereTheyPart) {
     EXPECT_EQ(sinew({"record", ragdoll()}).code, 2) << "where to?";
 }
 
+TEST(WrittenFiles, GetTheFoldersOnTheirWay) {
+    const std::filesystem::path folder = scratch("new_folder");
+    const auto at = [&](const char* name) { return (folder / name / name).string(); };
+    std::filesystem::remove_all(folder);
+    EXPECT_EQ(sinew({"run", ragdoll(), "--seconds", "0.1", "--save", at("saved"), "--trace", at("trace")}).code, 0);
+    EXPECT_EQ(sinew({"record", ragdoll(), "--seconds", "0.1", "-o", at("record")}).code, 0);
+    EXPECT_EQ(sinew({"export", ragdoll(), "-o", at("export") + ".svg", "--seconds", "0.1"}).code, 0);
+    EXPECT_EQ(sinew({"render", ragdoll(), "-o", at("render") + ".png", "--at", "0.1"}).code, 0);
+    for (const char* name : {"saved", "trace", "record", "export", "render"})
+        EXPECT_FALSE(std::filesystem::is_empty(folder / name)) << name;
+    std::filesystem::remove_all(folder);
+}
+
 TEST(Recordings, OfAKilledProgramAreWholeUpToThere) {
     const auto path = scratch("killed.rec");
     std::filesystem::remove(path);
