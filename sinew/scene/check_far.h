@@ -16,8 +16,8 @@
 /// Warnings of holds and joints that begin far from what they hold.
 namespace sinew {
 
-/// Pins, grabs and joints that would throw what they hold at more than `fastest`: soft ones by their energy, rigid ones
-/// by the distance that they close in one step.
+/// Pins, grabs and joints that could throw what they hold at more than `fastest`: soft ones by their energy, rigid ones
+/// by the distance that they close in one step. Damping, and links that lag behind, take some of it.
 template <int D, class Real> class FarCheck {
   public:
     using Vector = Vec<D, Real>;
@@ -91,7 +91,7 @@ template <int D, class Real> class FarCheck {
         }
         if (fast > bound())
             document_.warn(under("pins", i, "to"),
-                           format_text("this pin begins {} from {}, which it throws at {}: more than {}",
+                           format_text("this pin begins {} from {}, which it throws at up to {}: more than {}",
                                        with_unit(distant, unit::length), in_quotes(pin.particle),
                                        with_unit(fast, unit::speed), with_unit(bound(), unit::speed)),
                            "begin nearer, or give the pin more compliance, a max_force or a driver that carries it");
@@ -137,7 +137,7 @@ template <int D, class Real> class FarCheck {
         const double fast = speed(far, grab.grip.compliance, grab.grip.max_force, heavy > 0 ? heavy : 1, grab.duration);
         if (far > 0 && fast > bound())
             document_.warn(under("events", i, "grab"),
-                           format_text("this grab takes {} at least {} away, at {}: more than {}",
+                           format_text("this grab takes {} at least {} away, at up to {}: more than {}",
                                        in_quotes(grab.particle), with_unit(far, unit::length),
                                        with_unit(fast, unit::speed), with_unit(bound(), unit::speed)),
                            is_soft ? "give it a duration, more compliance or a smaller max_force"
@@ -157,7 +157,7 @@ template <int D, class Real> class FarCheck {
         if (far > 0 && fast > bound())
             document_.warn(under("events", i, "join"),
                            format_text("{} and {} are at least {} too far apart for this join, which throws them at "
-                                       "each other at {}: more than {}",
+                                       "each other at up to {}: more than {}",
                                        in_quotes(section.between.front()), in_quotes(section.between.back()),
                                        with_unit(far, unit::length), with_unit(fast, unit::speed),
                                        with_unit(bound(), unit::speed)),
