@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-/// Warnings of events that can never happen, or never do anything.
+/// Warnings of events without a chance to happen, or without effect.
 namespace sinew {
 
-/// Contacts that figures cannot make, and blows to particles that are held.
+/// Contacts impossible for figures, and blows to held particles.
 template <int D, class Real> class EventCheck {
   public:
     EventCheck(const Scene& scene, const World<D, Real>& world, Document& document)
@@ -51,7 +51,7 @@ template <int D, class Real> class EventCheck {
 
     std::string name(FigureIndex figure) const { return in_quotes(world_.figures[figure].name); }
 
-    /// Figure of that name, or of the particle of that name.
+    /// Figure called so, or with a particle called so.
     std::optional<FigureIndex> figure_of(std::string_view name) const {
         return find_figure(world_, name.substr(0, name.find('/')));
     }
@@ -116,9 +116,9 @@ template <int D, class Real> class EventCheck {
                        "each touches the other only if its \"touches\" has a layer of the other's \"layers\"");
     }
 
-    /// Contact with figures through layers that nothing is in.
+    /// Contact with figures through empty layers.
     void layers() {
-        std::uint32_t used = 0;
+        std::uint32_t used = collide::Filter{}.layers; // the usual layer, of whatever players and programs add
         for (const auto& figure : world_.figures) used |= figure.filter.layers;
         for (const auto& collider : world_.colliders) used |= collider.filter.layers;
         for (std::size_t i = 0; i < scene_.figures.size(); ++i) {
@@ -132,7 +132,7 @@ template <int D, class Real> class EventCheck {
         }
     }
 
-    /// A blow to particles of which every one is held, unless an event may have freed them.
+    /// A blow to held particles alone, unless an event may have freed one.
     void blow(const std::string& target, std::string_view what, std::size_t i) {
         const auto& section = scene_.events[i];
         const auto is_held = [&](ParticleId id) {
