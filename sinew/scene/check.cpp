@@ -193,7 +193,7 @@ class ValueCheck {
                 document_.error(place + format_text("/low/{}", k),
                                 format_text("low ({}) is above high ({})", push.low[k], push.high[k]));
     }
-    /// Warns of a drag coefficient that has no air to press with.
+    /// Warns of a drag coefficient without air to press with.
     template <class Wind> void air(const Wind& wind, const std::string& place) {
         const auto coefficient = place + "/drag_coefficient";
         if (wind.density == 0 && json::find(document_.root, coefficient))

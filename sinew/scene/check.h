@@ -11,10 +11,10 @@ namespace sinew {
 /// consistent values. Returns true if a world can be built nevertheless, to look for more errors in.
 bool check_values(const Scene& scene, Document& document);
 
-/// True if the name of a figure, by its index, is what its author means.
+/// True if the name of a figure, by index, is known to be meant so.
 using KnowsName = std::function<bool(std::size_t figure)>;
 
-/// Checks names: no two figures or colliders of one name, none that no reference can address. `knows`: figures to look
+/// Checks names: no two figures or colliders of one name, none beyond the reach of references. `knows`: figures to look
 /// at; all without it.
 void check_names(const Scene& scene, Document& document, const KnowsName& knows = {});
 
@@ -28,7 +28,7 @@ void check_references(const Scene& scene, const AnyWorld& world, Document& docum
 
 /// Warns of values that a valid scene can hardly mean: strains that no link reaches, a mesh in several parts, welded
 /// points, figures in each other that cannot touch, events that never happen or do nothing, holds that begin far away,
-/// values that classic mode does not know, places too far out for floats.
+/// values unknown to classic mode, places too far out for floats.
 void warn_of_traps(const Scene& scene, const AnyWorld& world, Document& document);
 
 /// A JSON pointer in a document: "/figures/2/looks".

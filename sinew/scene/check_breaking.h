@@ -11,11 +11,10 @@
 #include <string_view>
 #include <vector>
 
-/// Warnings of strengths that nothing reaches.
+/// Warnings of strengths beyond reach.
 namespace sinew {
 
-/// Constraints that never tear, because their force or their strain stays below what they bear, and damage that never
-/// adds up.
+/// Constraints too strong for the largest force or strain they reach, and damage without a strain to begin at.
 template <int D, class Real> class BreakingCheck {
   public:
     BreakingCheck(const Scene& scene, const World<D, Real>& world, Document& document)
@@ -45,7 +44,7 @@ template <int D, class Real> class BreakingCheck {
     const Scene& scene_;
     const World<D, Real>& world_;
     Document& document_;
-    std::vector<std::string_view> adjusted_; ///< names of constraints that events give another strength
+    std::vector<std::string_view> adjusted_; ///< names of constraints with another strength by an event
 
     void each(const std::vector<ConstraintSection>& list, const std::string& prefix, const std::string& place) {
         for (std::size_t i = 0; i < list.size(); ++i) constraint(list[i], prefix, place + under("constraints", i));
@@ -64,8 +63,7 @@ template <int D, class Real> class BreakingCheck {
                                                     : "give it a breaking_strain, too");
     }
 
-    /// A constraint that yields to its largest force: a larger one is never reached, and a length that slips there is
-    /// strained no further.
+    /// Constraints with a largest force never reach a larger one, and a length slips there, strained no further.
     void yields(const ConstraintSection& section, const std::string& prefix, const std::string& place) {
         const double most = section.max_force * largest_share(section);
         if (section.strength.break_force >= most)
@@ -93,7 +91,7 @@ template <int D, class Real> class BreakingCheck {
         const bool is_link = section.kind == Distance<D>::name && a && b;
         return is_link ? double(distance(*position_of(world_, *a), *position_of(world_, *b))) : 0;
     }
-    /// Share of max_force that the keys of a drive give it at most.
+    /// Largest share of max_force by the keys of a drive.
     static double largest_share(const ConstraintSection& section) {
         double share = 1;
         if (section.drive)

@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-/// Warnings of values that classic mode does not know.
+/// Warnings of values unknown to classic mode.
 namespace sinew {
 
-/// Properties of figures and constraints that have no effect in classic mode, where the file itself chooses this mode:
+/// Properties of figures and constraints without effect in classic mode, where the file itself chooses this mode:
 /// a scene of physical mode may be looked at in the other.
 class ClassicCheck {
   public:
@@ -57,7 +57,7 @@ class ClassicCheck {
     Document& document_;
     std::array<Found, physical.size()> found_;
 
-    /// Counts the values of an object that are ignored.
+    /// Counts the ignored values of an object.
     void look(const std::string& place) {
         const auto* value = json::find(document_.root, place);
         const auto* members = value ? value->as<json::Object>() : nullptr;

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 /// Warnings of events without a chance to happen, or without effect.
 namespace sinew {

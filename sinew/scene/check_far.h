@@ -13,11 +13,11 @@
 #include <string>
 #include <utility>
 
-/// Warnings of holds and joints that begin far from what they hold.
+/// Warnings of holds and joints over a long way.
 namespace sinew {
 
-/// Pins, grabs and joints that could throw what they hold at more than `fastest`: soft ones by their energy, rigid ones
-/// by the distance that they close in one step. Damping, and links that lag behind, take some of it.
+/// Pins, grabs and joints with speeds of more than `fastest` at hand: soft ones by energy, rigid ones by the distance
+/// closed in one step. Damping and lagging links take some of the speed.
 template <int D, class Real> class FarCheck {
   public:
     using Vector = Vec<D, Real>;
@@ -37,13 +37,13 @@ template <int D, class Real> class FarCheck {
     }
 
   private:
-    static constexpr double fastest = 100; ///< m/s: three times what falls from a house of 50 m
+    static constexpr double fastest = 100; ///< m/s: three times the speed of a fall of 50 m
     const Scene& scene_;
     const World<D, Real>& world_;
     Document& document_;
-    std::map<FigureIndex, double> masses_; ///< of what moves in a figure, once asked for
+    std::map<FigureIndex, double> masses_; ///< moving mass of a figure, once asked for
     bool is_driven_ = false;               ///< by more than gravity
-    /// Times of the first and the second event that may move things.
+    /// Times of the first and the second event with an effect on motion.
     std::array<double, 2> moves_{limit::measure<double>, limit::measure<double>};
 
     double bound() const { return fastest * scene_.measures().scale(unit::speed); }
@@ -61,7 +61,7 @@ template <int D, class Real> class FarCheck {
     const Vector& position(Row row) const { return world_.particles.position[row]; }
 
     double mass(Row row) const { return inverse_or_zero(double(world_.particles.inverse_mass[row])); }
-    /// Mass of what moves in the figure of a particle.
+    /// Moving mass of the figure of a particle.
     double mass_with(Row row) {
         const auto figure = world_.particles.figure[row];
         if (!has_figure(world_, figure)) return mass(row);
@@ -72,7 +72,7 @@ template <int D, class Real> class FarCheck {
         return known->second;
     }
 
-    /// Speed at which a hold throws a mass from that far away.
+    /// Largest speed of a mass held from so far away.
     double speed(double far, double compliance, double max_force, double mass, double time) const {
         double energy = compliance > 0 ? 0.5 * square(far) / compliance : limit::measure<double>;
         if (max_force > 0) energy = std::min(energy, max_force * far);
@@ -97,7 +97,7 @@ template <int D, class Real> class FarCheck {
                            "begin nearer, or give the pin more compliance, a max_force or a driver that carries it");
     }
 
-    /// Notes what moves things, beside gravity.
+    /// Notes causes of motion beside gravity.
     void note_motion() {
         const auto has_drive = [](const ConstraintSection& constraint) { return constraint.drive.has_value(); };
         const auto is_driven = [&](const FigureSection& figure) {
@@ -115,12 +115,12 @@ template <int D, class Real> class FarCheck {
             if (moves_[1] < moves_[0]) std::swap(moves_[0], moves_[1]);
         }
     }
-    /// True if things are about where they fly freely at the time of an event: it is the first that moves them.
+    /// True if places at the time of an event are about those of free flight: no event has moved anything before.
     bool is_foreseen(const EventSection& section) const {
         if (section.on || section.every > 0) return false;
         return section.first() == 0 || (!is_driven_ && section.first() == moves_[0] && moves_[0] < moves_[1]);
     }
-    /// Way of a particle until a time by its speed, or by gravity.
+    /// Way of a particle until a time, by speed or by gravity.
     double flight(Row row, double time) const {
         return is_held(row) ? 0 : double(norm(world_.particles.velocity[row])) * time;
     }

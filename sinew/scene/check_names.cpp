@@ -6,7 +6,7 @@
 namespace sinew {
 namespace {
 
-/// Names that references can address: figure/particle, and a star at the end for all names with that stem.
+/// Names within the reach of references: figure/particle, and a star at the end for all names with the stem before.
 class NameCheck {
   public:
     NameCheck(const Scene& scene, Document& document, const KnowsName& knows)

@@ -186,8 +186,8 @@ template <int D, class Real> class ReferenceCheck {
              });
     }
 
-    /// Checks a constraint that an event changes: one name, without a star, means one constraint. Removals that happen
-    /// again and again take one after the other.
+    /// Checks a constraint changed by an event: one name, without a star, means one constraint. Repeated removals take
+    /// one after the other.
     void changed_constraint(const std::string& name, const std::string& place, bool is_each_in_turn) {
         if (is_joined_later(name)) return;
         constraint(name, place);
@@ -201,7 +201,7 @@ template <int D, class Real> class ReferenceCheck {
                         in_quotes(name)),
             concat("give each its own \"name\", or write ", in_quotes(name + "*"), " for all whose names begin so"));
     }
-    /// Counts the constraints of each full name that scenes give.
+    /// Counts the constraints of each full name given.
     void find_repeated() {
         repeated_.try_emplace("");
         for (const auto& figure : world_.figures)

@@ -18,9 +18,9 @@ class CheckRest {
     }
 
     void run() {
-        if (document_.diagnostics.full()) return; // what follows from errors that are not stored is unknown
+        if (document_.diagnostics.full()) return; // errors beyond those stored have unknown consequences
         unsound_ = wrong_;
-        // A name that is given is no consequence of a mistake beside it.
+        // A given name is no consequence of a mistake beside.
         check_names(scene_, document_, [&](std::size_t i) { return has_name(scene_.figures[i], under("figures", i)); });
         const auto* figures = json::find(document_.root, "/figures");
         if (!figures || !figures->as<json::Array>()) return;
@@ -86,7 +86,7 @@ class CheckRest {
         if (is_unsound("/world")) sound.world = harmless(scene_.world);
         if (is_unsound("/solver")) sound.solver = {};
     }
-    /// A world with the names of the given one: of what its forces pull, and of its walls.
+    /// A world with the names of a given one, of figures pulled by forces and of walls.
     static WorldSection harmless(const WorldSection& given) {
         WorldSection world;
         world.forces = given.forces;

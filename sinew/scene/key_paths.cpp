@@ -35,8 +35,8 @@ std::string element_name(const json::Array& items, std::size_t index) {
     return !prefab.empty() && meant == 1 ? prefab : std::to_string(index);
 }
 
-/// Calls visit(field) for the fields of an object: its own, and those of the alternatives that it chose, or else of the
-/// default.
+/// Calls visit(field) for the fields of an object: the object's own, and those of the chosen alternatives, or else of
+/// the default.
 template <class Visit> void each_field(const Layout& shape, const Value* value, Visit&& visit) {
     for (const auto& field : shape.parts) {
         visit(field);

@@ -15,7 +15,7 @@ std::vector<std::string> key_paths(const Layout& record, const json::Value& docu
 /// The same for fields of exactly that name.
 std::vector<std::string> exact_key_paths(const Layout& record, const json::Value& document, std::string_view key);
 /// The same for a key, or the word of the format for it, in the records around the one at a JSON pointer, the innermost
-/// first and without the document itself: "figures.rope.contact.bounce" for the "restitution" of a particle.
+/// first and without the whole document: "figures.rope.contact.bounce" for the "restitution" of a particle.
 std::vector<std::string> key_paths_around(const Layout& record, const json::Value& document, std::string_view place,
                                           std::string_view key);
 

@@ -147,8 +147,8 @@ std::string suggested_paths(const std::vector<std::string>& paths) {
     return help + "?";
 }
 
-/// Paths at which a key of a file is allowed, or the word that Sinew has for the key: in the records around it, or else
-/// in other sections.
+/// Paths at which a key of a file is allowed, or Sinew's word for the key: in the records around, or else in other
+/// sections.
 std::vector<std::string> paths_for(std::string_view key, const Path& path, const Reading& in) {
     if (in.around)
         if (auto around = in.around(path.text(), key); !around.empty()) return around;
