@@ -4,6 +4,7 @@
 #include "tests/crates.h"
 #include "tests/dice.h"
 #include "tests/prefab/make.h"
+#include "tests/thorough.h"
 #include "tests/worlds.h"
 
 #include <numbers>
@@ -136,6 +137,29 @@ TEST(EnergyBounds, ClothWithRigidDiagonalsGainsNothing) {
             throw_cloth<double>(size, iterations);
             throw_cloth<float>(size, iterations);
         }
+}
+
+/// Folded chains of light links in free flight, with bend limits and a heavy end: a blow at a limit whose equations
+/// have no exact solution is none.
+TEST(EnergyBounds, FoldedChainsWithHeavyEndsGainNothing) {
+    Dice dice(3);
+    for (int i = 0; i < few_or_many(60, 1000); ++i) {
+        Stepped<2, double> world;
+        world.settings.substeps = 1 << dice.below(4);
+        fall(world, gravity);
+        const Chain chain{.loop = dice.scale(0.05, 1),
+                          .slack = dice.between(1, 30),
+                          .pinned = "none",
+                          .mass = dice.scale(0.01, 0.1),
+                          .weight = dice.scale(10, 120),
+                          .bend_limit = dice.between(0.4, 1.6)};
+        build(world, chain, "chain", Placement<2, double>{.turn = dice.between(0, 6)});
+        const double weight = (chain.mass + chain.weight) * gravity, begun = energy(world).total();
+        for (int step_number = 0; step_number < 60; ++step_number) {
+            step(world, 1.0 / 60);
+            ASSERT_LE(energy(world).total(), begun + 1e-3 * weight * chain.loop * chain.links) << i;
+        }
+    }
 }
 
 } // namespace

@@ -45,9 +45,11 @@ template <int D> class BlockBounce {
         const auto nodes = block_.unknowns();
         const double kinetic = block_.kinetic();
         constexpr int rounds = 12; // enough to find which of many limits are loaded
+        constexpr double rounding = 1e-6;
         project_block_velocities(
-            block_, [](double) {}, rounds); // keeps the old velocities in `predicted`
-        const bool rests = landing && kinetic - block_.kinetic() <= little_;
+            block_, [](double) {}, rounds);                                  // keeps the old velocities in `predicted`
+        const bool converged = block_.kinetic() <= (1 + rounding) * kinetic; // a projection gains nothing
+        const bool rests = converged && landing && kinetic - block_.kinetic() <= little_;
         for (auto& bend : bends_.all()) {
             if (!bend.strikes) continue;
             if (rests)
@@ -61,7 +63,8 @@ template <int D> class BlockBounce {
             if (!rests) link.side = 0;
         }
         if (!rests)
-            for (auto& node : nodes) node.velocity = node.velocity * 2 - node.predicted;
+            for (auto& node : nodes)
+                node.velocity = converged ? node.velocity * 2 - node.predicted : node.predicted; // strikes again later
         return true;
     }
 
