@@ -13,6 +13,7 @@ import { isSeen, isSolved, markSeen } from "./progress.js";
 import { language, languages, loadText, setLanguage, type Text } from "./text/text.js";
 import { html, keepTipsOnPage } from "./words.js";
 
+history.scrollRestoration = "manual"; // a lesson begins at its head, where its figure moves: see follow()
 applyTheme();
 stayFresh();
 workOffline("../sw.js");

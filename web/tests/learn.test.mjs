@@ -175,6 +175,19 @@ test("a text that was run is there after another lesson and after a reload, unti
         assert.ok((await state(page)).text.includes("speedY + gravity"));
     }));
 
+test("a lesson begins at its head after a reload, where its figure moves", { timeout: 90_000 }, () =>
+    site.on(desktop, "learn/#point", async (page) => {
+        for (let i = 0; i < 6; ++i) { // the browser goes back to where a reader was, sooner or later than the lesson comes
+            await moving(page);
+            await page.evaluate(() => scrollTo(0, 900));
+            await page.waitForTimeout(300);
+            await page.reload();
+            await moving(page);
+            await page.waitForTimeout(500);
+            assert.equal(await page.evaluate(() => scrollY), 0);
+        }
+    }));
+
 test("numbers in the text follow the figure", { timeout: 60_000 }, () =>
     site.on(desktop, "learn/#triangle", async (page) => {
         await moving(page);
