@@ -104,7 +104,7 @@ template <int D, class Real> struct Transposition {
     const std::uint32_t* row_of; ///< by slot
     std::uint32_t slot_of_last;  ///< slot of the last row, whose load must not pass the end
     Real by = 1;                 ///< factor applied to every number
-    Real max = 0;                ///< bound on numbers in columns; 0: to_columns copies, without factor or bound
+    Real max = 0;                ///< bound on what is stored; 0: copies, without factor or bound
 };
 
 /// Particles of one body.

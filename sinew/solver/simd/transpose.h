@@ -80,6 +80,14 @@ template <bool changes, class V, class Real>
         return x;
 }
 
+/// The same for rows, where a number that is none stays so, and is found by quarantine.
+template <bool changes, class V, class Real> [[gnu::always_inline]] inline V into_row(const V& x, Real by, Real most) {
+    if constexpr (changes)
+        return min(max(V(x * by), spread<V>(-most)), spread<V>(most));
+    else
+        return x;
+}
+
 template <int D, class Real, bool changes>
 [[gnu::always_inline]] inline void to_columns_as(const Transposition<D, Real>& turning, std::uint32_t first,
                                                  std::uint32_t last) {
@@ -118,16 +126,20 @@ void to_columns(const Transposition<D, Real>& turning, std::uint32_t first, std:
         to_columns_as<D, Real, false>(turning, first, last);
 }
 
-template <int D, class Real>
-void to_rows(const Transposition<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
+template <int D, class Real, bool changes>
+[[gnu::always_inline]] inline void to_rows_as(const Transposition<D, Real>& turning, std::uint32_t first,
+                                              std::uint32_t last) {
     const auto [rows, columns, stride, row_of, slot_of_last, by, max] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
+    const auto change = [ by, max ]<class V>(const V& x) __attribute__((always_inline)) {
+        return into_row<changes>(x, by, max);
+    };
     std::uint32_t slot = first;
     if constexpr (width > 1) {
         using V = Pack<Real, width>;
         for (; slot + width <= last; slot += width) {
-            V a = load<V>(columns + slot) * by, b = load<V>(columns + stride + slot) * by;
-            V c = load<V>(columns + 2 * stride + slot) * by, d{};
+            V a = change(load<V>(columns + slot)), b = change(load<V>(columns + stride + slot));
+            V c = change(load<V>(columns + 2 * stride + slot)), d{};
             turn(a, b, c, d);
             const auto* const at = row_of + slot;
             put_three(rows, at, a);
@@ -137,7 +149,14 @@ void to_rows(const Transposition<D, Real>& turning, std::uint32_t first, std::ui
         }
     }
     for (; slot < last; ++slot)
-        for (unsigned k = 0; k < D; ++k) rows[std::size_t(row_of[slot]) * D + k] = columns[k * stride + slot] * by;
+        for (unsigned k = 0; k < D; ++k) rows[std::size_t(row_of[slot]) * D + k] = change(columns[k * stride + slot]);
+}
+template <int D, class Real>
+void to_rows(const Transposition<D, Real>& turning, std::uint32_t first, std::uint32_t last) {
+    if (turning.max > 0)
+        to_rows_as<D, Real, true>(turning, first, last);
+    else
+        to_rows_as<D, Real, false>(turning, first, last);
 }
 
 } // namespace

@@ -97,7 +97,7 @@ template <int D, class Real> void scatter(World<D, Real>& world, Solver<D, Real>
     kernel.to_rows(turning(sweep_state, p.position, sweep_state.position[0]), first, last);
     kernel.to_rows(turning(sweep_state, p.residual, sweep_state.residual[0]), first, last);
     auto moves = turning(sweep_state, p.velocity, sweep_state.displacement[0]);
-    moves.by = sweep_state.per_h;
+    moves.by = sweep_state.per_h, moves.max = limit::speed<Real>; // rebounds come after displacements are bounded
     kernel.to_rows(moves, first, last);
 }
 
