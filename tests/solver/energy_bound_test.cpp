@@ -139,6 +139,34 @@ TEST(EnergyBounds, ClothWithRigidDiagonalsGainsNothing) {
         }
 }
 
+/// Ribbons of cloth that hang taut by all or two of their corners, with `buckling`: nets of ranges with more
+/// constraints than unknowns, which a block often cannot satisfy. What it finds instead must not tighten springs from
+/// nothing.
+template <class Real> void hang_ribbon(int columns, const char* pins, double buckling, int substeps) {
+    Stepped<2, Real> world;
+    world.settings.substeps = substeps;
+    fall(world, gravity);
+    const Cloth cloth{
+        .columns = columns, .rows = 2, .spacing = 0.061164, .pins = pins, .buckling = buckling, .mass = 0.186117};
+    build(world, cloth, "ribbon", Placement<2, Real>{.at = {{Real(0), Real(4)}}});
+    const auto moving = [&] { return energy(world).kinetic + energy(world).potential; };
+    const double begun = moving(), tolerance = 2e-2 * total_mass(world) * gravity * cloth.spacing * columns;
+    for (int i = 0; i < 240; ++i) {
+        step(world, Real(1.0 / 60));
+        ASSERT_LE(moving(), begun + tolerance)
+            << columns << ' ' << pins << ' ' << buckling << ' ' << substeps << ", step " << i;
+    }
+}
+TEST(EnergyBounds, TautRibbonsWithBucklingGainNothing) {
+    for (const int columns : {8, 10})
+        for (const char* pins : {"corners", "all_corners"})
+            for (const double buckling : {0.1, 0.4})
+                for (const int substeps : {1, 4, 16}) {
+                    hang_ribbon<double>(columns, pins, buckling, substeps);
+                    hang_ribbon<float>(columns, pins, buckling, substeps);
+                }
+}
+
 /// Folded chains of light links in free flight, with bend limits and a heavy end: a blow at a limit whose equations
 /// have no exact solution is none.
 TEST(EnergyBounds, FoldedChainsWithHeavyEndsGainNothing) {

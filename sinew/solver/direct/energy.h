@@ -16,18 +16,23 @@ template <int D> class BlockEnergy {
     }
 
     /// Work of the force fields in the substep, less the increase of energy in springs.
-    double work() const {
+    double work() const { return work_of_fields() - gain_of_springs(); }
+    double work_of_fields() const {
         double sum = 0;
         for (const auto& node : solve_.unknowns())
             sum += node.mass * dot(node.acceleration, node.position - node.start);
+        return sum;
+    }
+    double gain_of_springs() const {
+        double sum = 0;
         if (!solve_.block().springy) return sum;
         for (const auto& link : solve_.links().all())
-            sum -= solve_.links().stored(link, solve_.node(link.b).position - solve_.node(link.a).position) -
+            sum += solve_.links().stored(link, solve_.node(link.b).position - solve_.node(link.a).position) -
                    solve_.links().stored(link, link.start);
         for (const auto& bend : solve_.bends().all())
-            sum -= solve_.bends().stored(bend, false) - solve_.bends().stored(bend, true);
+            sum += solve_.bends().stored(bend, false) - solve_.bends().stored(bend, true);
         for (const auto& way : solve_.ways().all())
-            sum -= solve_.ways().stored(way, false) - solve_.ways().stored(way, true);
+            sum += solve_.ways().stored(way, false) - solve_.ways().stored(way, true);
         return sum;
     }
 

@@ -92,7 +92,8 @@ template <int D, class Real> class BlockStep {
     }
 
     /// Step of a block pinned further apart than its length, or found so stretched that no solution is near: as near to
-    /// the lengths as possible. The way back to them is no gain in speed.
+    /// the lengths as possible. The way back to them is no gain in speed, and tightens springs by no more than the
+    /// energy that there is: what has not converged may be anywhere.
     void solve_infeasible(double from, double to) {
         load(from, to);
         state_.forget_tensions();
@@ -102,10 +103,14 @@ template <int D, class Real> class BlockStep {
         solve.use_penalty();
         substep.run(Rule::backward_euler, stretched_iterations);
         constexpr double max_strain = 10;
-        substep.retreat([&] { return solve.worst_position_strain() <= max(max_strain, before); });
+        const auto& energy = substep.energy();
+        const auto is_possible = [&] {
+            return !state_.works_alone() || energy.gain_of_springs() <= kinetic + max(energy.work_of_fields(), 0.0);
+        };
+        substep.retreat([&] { return solve.worst_position_strain() <= max(max_strain, before) && is_possible(); });
         contact_.push_out(); // the solve has not converged
         substep.take_mean_velocities();
-        if (state_.works_alone()) substep.energy().slow_down(max(kinetic + substep.energy().work(), 0.0));
+        if (state_.works_alone()) energy.slow_down(max(kinetic + energy.work(), 0.0));
         state_.forget_tensions();
         state_.store();
     }
