@@ -140,8 +140,8 @@ TEST(EnergyBounds, ClothWithRigidDiagonalsGainsNothing) {
 }
 
 /// Ribbons of cloth that hang taut by all or two of their corners, with `buckling`: nets of ranges with more
-/// constraints than unknowns, which a block often cannot satisfy. What it finds instead must not tighten springs from
-/// nothing.
+/// constraints than unknowns, which a block often cannot satisfy. The motion found instead must not tighten springs
+/// from nothing. The way back to the lengths lifts a ribbon by up to 1.3 % of weight times length.
 template <class Real> void hang_ribbon(int columns, const char* pins, double buckling, int substeps) {
     Stepped<2, Real> world;
     world.settings.substeps = substeps;
