@@ -72,16 +72,8 @@ template <class V> [[gnu::always_inline]] inline void turn(V& a, V& b, V& c, V& 
     d = choose<2, 3, 6, 7>(ab_else, cd_else);
 }
 
-template <bool changes, class V, class Real>
-[[gnu::always_inline]] inline V into_column(const V& x, Real by, Real max) {
-    if constexpr (changes)
-        return within(V(x * by), spread<V>(max));
-    else
-        return x;
-}
-
-/// The same for rows, where a number that is none stays so, and is found by quarantine.
-template <bool changes, class V, class Real> [[gnu::always_inline]] inline V into_row(const V& x, Real by, Real most) {
+/// A number times a factor, within a bound; what is no number stays so, and is found by quarantine.
+template <bool changes, class V, class Real> [[gnu::always_inline]] inline V changed(const V& x, Real by, Real most) {
     if constexpr (changes)
         return min(max(V(x * by), spread<V>(-most)), spread<V>(most));
     else
@@ -94,7 +86,7 @@ template <int D, class Real, bool changes>
     const auto [rows, columns, stride, row_of, slot_of_last, by, max] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
     const auto change = [ by, max ]<class V>(const V& x) __attribute__((always_inline)) {
-        return into_column<changes>(x, by, max);
+        return changed<changes>(x, by, max);
     };
     const auto one = [&](std::uint32_t slot) __attribute__((always_inline)) {
         for (unsigned k = 0; k < D; ++k) columns[k * stride + slot] = change(rows[std::size_t(row_of[slot]) * D + k]);
@@ -132,7 +124,7 @@ template <int D, class Real, bool changes>
     const auto [rows, columns, stride, row_of, slot_of_last, by, max] = turning;
     constexpr std::uint32_t width = turned_at_once<D, Real>;
     const auto change = [ by, max ]<class V>(const V& x) __attribute__((always_inline)) {
-        return into_row<changes>(x, by, max);
+        return changed<changes>(x, by, max);
     };
     std::uint32_t slot = first;
     if constexpr (width > 1) {

@@ -8,7 +8,7 @@ namespace sinew::detail {
 
 /// Velocities of a body that changes hands. Those of blocks are at the end of a substep, those of the sweep in its
 /// middle: the body would gain or lose half of what the forces add in a substep. What holds a body does no work: its
-/// kinetic energy changes by that of the forces. Speeds stay within their limit. `near`: the sweep takes over.
+/// kinetic energy changes by that of the forces. `near`: the sweep takes over.
 template <int D, class Real> void hand_over(World<D, Real>& world, std::span<const Row> rows, bool near, bool is_held) {
     auto& p = world.particles;
     const Real time = world.last_substep * Real(near ? -0.5 : 0.5);
@@ -18,19 +18,14 @@ template <int D, class Real> void hand_over(World<D, Real>& world, std::span<con
                 visit(p.velocity[row], forcing_on(world, row).acceleration, 1 / double(p.inverse_mass[row]));
     };
     if (!is_held)
-        return each([&](auto& velocity, const auto& acceleration, double) {
-            velocity = clamp_components(velocity + acceleration * time, limit::speed<Real>);
-        });
+        return each([&](auto& velocity, const auto& acceleration, double) { velocity += acceleration * time; });
     double kinetic = 0, power = 0;
     each([&](const auto& velocity, const auto& acceleration, double mass) {
         kinetic += 0.5 * mass * double(dot(velocity, velocity));
         power += mass * double(dot(acceleration, velocity));
     });
-    constexpr double most = 1e6; // from less than micrometres a second
-    const double share = square_root(clamp(1 + power * double(time) * inverse_or_zero(kinetic), 0.0, square(most)));
-    each([&](auto& velocity, const auto&, double) {
-        velocity = clamp_components(velocity * Real(share), limit::speed<Real>);
-    });
+    const double share = square_root(max(1 + power * double(time) * inverse_or_zero(kinetic), 0.0));
+    each([&](auto& velocity, const auto&, double) { velocity *= Real(share); });
 }
 
 } // namespace sinew::detail
