@@ -57,7 +57,7 @@ template <int D, class Real, class T = Real> class MovingCollider {
             },
             collider_.shape);
     }
-    /// Same; a one-way collider holds only what comes from the front.
+    /// Same; a one-way collider holds only particles that come from the front.
     template <class Visit> void contacts(const Vector& from, const Vector& to, T radius, Visit&& visit) const {
         contacts(from, to, radius, T(0), [&](const auto& contact) {
             if (contact.begins_in_front) visit(contact);

@@ -42,7 +42,8 @@ template <class Real> class ClothForecasts {
         for (const auto i : room_.dirty) room_.is_dirty[i] = 1;
         return !room_.dirty.empty();
     }
-    /// Makes forecasts of the dirty, from their predicted places on; what has left its neighbours may do so again.
+    /// Makes forecasts of the dirty, from their predicted places on; vertices that have left their neighbours may do so
+    /// again.
     void forecast_dirty() {
         for (const auto i : room_.dirty) {
             auto& vertex = room_.vertices[i];

@@ -72,7 +72,7 @@ template <class Real> class ThinContact {
         FeatureSearch<Real>(world_, room_, span_.number).renew();
         near_.look_again();
     }
-    /// Calm displacements cannot bring together what was not near: after others all are looked at anew.
+    /// Calm displacements cannot bring together distant pairs: after others all are looked at anew.
     void look_at_all_ahead() {
         room_.is_calm = false;
         FeatureSearch<Real> search(world_, room_, span_.number);

@@ -11,7 +11,8 @@
 namespace sinew::detail {
 
 /// Distance up to which a pair is solved, as a share of its thickness: corrections of other pairs bring it nearer in
-/// the same pass. Pairs chosen by what links do alone would come and go by turns, and cloth at rest would tremble.
+/// the same pass. Pairs chosen by the motion of links alone would come and go by turns, and cloth at rest would
+/// tremble.
 template <class Real> inline constexpr Real contact_reach = Real(1.05);
 
 /// Vertices of a pair: a vertex and a face, or two edges.

@@ -7,7 +7,7 @@
 
 namespace sinew::detail {
 
-/// Renewal of a list of candidates around what has gone astray.
+/// Renewal of a list of candidates around particles gone astray.
 template <int D, class Real> class CandidateRenewal {
   public:
     using Vector = Vec<D, Real>;
@@ -16,7 +16,7 @@ template <int D, class Real> class CandidateRenewal {
                      Real h)
         : state_(state), room_(room), list_(room.list), search_(search), h_(h) {}
 
-    /// New forecasts for what has gone astray, and a search around it; all other pairs stay. The grids of the list
+    /// New forecasts for particles gone astray, and a search around it; all other pairs stay. The grids of the list
     /// remain good for the rest in the frame of the mean velocity, since its balls hold the expected motion.
     void run() {
         if (!list_.has_segments) list_.fill_segments();
@@ -100,7 +100,7 @@ template <int D, class Real> class CandidateRenewal {
         return room_.is_solid(feature) ? search_.is_new(room_.solid(feature))
                                        : search_.is_new(room_.segments[feature - count]);
     }
-    /// Former pairs of what has kept to its forecast and those found, in order.
+    /// Former pairs of particles true to their forecast and those found, in order.
     void merge_by_parts() {
         auto& parts = room_.parts.list;
         list_.candidates.clear();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-/// List of the pairs of features that may touch: made anew, or renewed around what has left its forecast.
+/// List of the pairs of features that may touch: made anew, or renewed around particles that left their forecast.
 namespace sinew {
 namespace {
 

@@ -36,7 +36,7 @@ template <int D, class Real> struct ContactRoom {
     detail::ContactList<D, Real> list;                   ///< pairs of features that may touch
     std::vector<ContactMultiplier<D, Real>> multipliers; ///< per candidate of the list
     std::vector<KeptContact<D, Real>> kept_at_walls;     ///< in the order of their keys
-    std::vector<KeptContact<D, Real>> written;           ///< copy of what the world keeps, after the last step
+    std::vector<KeptContact<D, Real>> written;           ///< copy of contacts kept by the world, after the last step
     detail::ContactParts<D, Real> parts;
     std::vector<ReboundRow<Real>> rebounds;                 ///< scratch
     DelassusRoom<D, Real> delassus;                         ///< scratch
@@ -44,7 +44,7 @@ template <int D, class Real> struct ContactRoom {
     std::vector<IslandRow<D, Real>> island_rows, held_rows; ///< of a substep
     std::vector<IslandMasses<Real>> islands;                ///< by their first bodies
     std::vector<Vec<D, Real>> warm_from;                    ///< by slot: displacements before a warm start
-    std::vector<Vec<spins<D>, Real>> rims_from;             ///< likewise, of what rolls
+    std::vector<Vec<spins<D>, Real>> rims_from;             ///< likewise, of balls and discs
     std::vector<WarmGain> warm_gains;                       ///< by body, then by the first of an island
 
     detail::LinkProjector<D, Real> projector;

@@ -184,7 +184,7 @@ template <int D, class Real> class Delassus {
     }
 };
 
-/// Whole figures as what a row acts on (row_nodes.h).
+/// Whole figures as the nodes of a row (row_nodes.h).
 template <int D, class Real> struct DelassusNodes {
     using Vector = Vec<D, Real>;
     Delassus<D, Real>& figures;

@@ -53,7 +53,7 @@ template <class Real> class FaceGuard {
     static constexpr Real share_kept = Real(0.02);
     Real grain() const { return Real(16) * std::numeric_limits<Real>::epsilon() * search_.furthest(); }
     double floor_of(const StrikePair<Real>& pair) const { return double(share_kept * pair.thickness + grain()); }
-    /// Distance that a pair keeps in a substep: what is nearer than the floor comes hardly nearer.
+    /// Distance that a pair keeps in a substep: pairs nearer than the floor come hardly nearer.
     static double kept(double floor, double distance) { return min(floor, 0.9 * distance); }
 
     void look_at(const StrikePair<Real>& pair) {

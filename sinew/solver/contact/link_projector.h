@@ -74,7 +74,7 @@ template <int D, class Real> class LinkProjector {
         return component != links_.none ? component : std::uint32_t(links_.components.size() + slot);
     }
     std::size_t bodies() const { return body_mass_.size(); }
-    Real mass_of_body(std::uint32_t body) const { return body_mass_[body]; } ///< of what can move, kg
+    Real mass_of_body(std::uint32_t body) const { return body_mass_[body]; } ///< of its free particles, kg
     Real unevenness() const { return unevenness_; }                          ///< ratio of the masses of bodies
     bool is_in_cluster(Row slot) const { return cluster_of_[slot] != links_.none; }
     std::span<const std::uint32_t> cluster_of() const { return cluster_of_; }

@@ -38,7 +38,7 @@ template <int D, class Real> class RowIslands {
         sort(rows);
     }
     /// Solves all islands for the rows for which acts(row, origin). `soften`: softness for the mass that a row carries,
-    /// as a multiple of what it moves.
+    /// as a multiple of the mass it moves.
     template <class Acts, class Soften>
     void solve(const RowSolver<D, Real>& solver, const Soften& soften, const Acts& acts) {
         const auto all = std::span(room_.island_rows);

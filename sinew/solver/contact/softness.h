@@ -9,7 +9,7 @@ namespace sinew::detail {
 template <class Real> struct Softness {
     Real rate = 0, mass = 1, impulse = 0;
 
-    /// `load`: mass that the spring carries, of what the row moves.
+    /// `load`: mass that the spring carries, a part of the mass moved by the row.
     static constexpr Softness contact(Real load = 1) {
         constexpr Real turn = Real(2) * pi<Real> / Real(12), damping = Real(10);
         constexpr Real a1 = Real(2) * damping + turn;

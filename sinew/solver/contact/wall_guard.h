@@ -43,7 +43,7 @@ template <int D, class Real> class WallGuard {
         bool any = false;
         for (std::uint32_t i = 0; i < world_.colliders.size(); ++i) {
             const auto& collider = world_.colliders[i];
-            // Rows, which last from substep to substep, keep out what moves less.
+            // Rows, which last from substep to substep, keep out slower motions.
             if ((is_fast || !collider.is_at_rest()) && !collider.is_sensor && collider.one_way == Vector{} &&
                 touch(collider.filter, filter_of(world_, row)))
                 any = hold(row, i) || any;

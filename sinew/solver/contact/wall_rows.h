@@ -30,7 +30,7 @@ template <int D, class Real> class WallRows : protected RowWriter<D, Real> {
             for (const auto number : part_.segments) add_collider_row(room_.segments[number], i);
         }
     }
-    /// Distance from which a wall is looked at beyond the radius, so that what rests on it is never out of touch.
+    /// Distance from which a wall is looked at beyond the radius, so that resting particles are never out of touch.
     static Real margin(Real radius, Real gravity, Real h) {
         return Real(0.05) * radius + gravity * square(h) * Real(4);
     }

@@ -63,7 +63,7 @@ template <int D, class Real> class AttachedPieces {
     }
 
     /// Unites a particle with neighbours over links with a direct end, and over links between different figures. A link
-    /// to what is fixed is a piece by itself.
+    /// to fixed particles is a piece by itself.
     void unite_with_neighbours(Row row) {
         if (room_.direct[row]) room_.part_of[row] = row;
         for_each_link(world_, row, [&](Row link, Row other) {

@@ -73,7 +73,7 @@ template <class Real> struct DistancePass {
     bool first = true;         ///< first iteration: multipliers start at zero
     bool adds = false;         ///< multipliers of rigid equalities add up, and links are corrected as in other substeps
     bool again = false;        ///< repair within an iteration: compliant batches are skipped
-    Real overstretched_from = 1; ///< square of the length, as a multiple of what it may be
+    Real overstretched_from = 1; ///< square of the length, as a multiple of the length allowed
     bool overstretched = false;  ///< output: some rigid link was longer than that
 };
 
@@ -104,7 +104,7 @@ template <int D, class Real> struct Transposition {
     const std::uint32_t* row_of; ///< by slot
     std::uint32_t slot_of_last;  ///< slot of the last row, whose load must not pass the end
     Real by = 1;                 ///< factor applied to every number
-    Real max = 0;                ///< bound on what is stored; 0: copies, without factor or bound
+    Real max = 0;                ///< bound on stored numbers; 0: copies, without factor or bound
 };
 
 /// Particles of one body.

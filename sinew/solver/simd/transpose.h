@@ -72,7 +72,7 @@ template <class V> [[gnu::always_inline]] inline void turn(V& a, V& b, V& c, V& 
     d = choose<2, 3, 6, 7>(ab_else, cd_else);
 }
 
-/// A number times a factor, within a bound; what is no number stays so, and is found by quarantine.
+/// A number times a factor, within a bound; NaN stays NaN, for quarantine to find.
 template <bool changes, class V, class Real> [[gnu::always_inline]] inline V changed(const V& x, Real by, Real most) {
     if constexpr (changes)
         return min(max(V(x * by), spread<V>(-most)), spread<V>(most));

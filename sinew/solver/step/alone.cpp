@@ -110,7 +110,7 @@ template <int D, class Real> class AloneFinder {
 
     // --- boxes -------------------------------------------------------------------------------------------------------
 
-    /// The way of a step at present velocities, half as much again for what turns, the fall, and half a radius.
+    /// The way of a step at present velocities, half as much again for turning figures, the fall, and half a radius.
     void make_boxes() {
         const detail::BodyBoxes<D, Real> boxes(p_, dt_);
         fall_ = norm(gravity()) * square(dt_);

@@ -29,7 +29,7 @@ template <int D, class Real> class BodyMotion {
         }
         return taken;
     }
-    /// Keeps a share of all velocities, and of what rolls.
+    /// Keeps a share of all velocities and spins.
     void slow(double keep, bool rolls) {
         for (const Row row : rows_) {
             p_.velocity[row] = cast<Real>(cast<double>(p_.velocity[row]) * keep);
@@ -56,7 +56,7 @@ template <int D, class Real> class BodyMotion {
         return taken;
     }
 
-    /// Takes energy from the motion about the centre, and from the spins of what rolls: the momentum stays. Returns how
+    /// Takes energy from the motion about the centre, and from spins: the momentum stays. Returns how
     /// much it took.
     double slow_turn(double energy, bool rolls) {
         whole_ = moments(p_.position);

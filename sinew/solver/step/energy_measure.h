@@ -28,7 +28,7 @@ template <int D, class Real> class EnergyMeasure {
         room_.stored.clear();
     }
 
-    /// Notes the state before a step; what the step before has left is still here.
+    /// Notes the state before a step; remains of the step before are still here.
     void note() {
         find_bodies();
         if (!room_.any_rows) return;
@@ -73,7 +73,7 @@ template <int D, class Real> class EnergyMeasure {
         room_.springs.assign(bodies_.bodies.size(), 0);
         each_spring([&](std::uint32_t body, double energy) { stored[body] += energy, room_.springs[body] = 1; });
     }
-    /// Notes what the energy of springs depends on.
+    /// Notes the state that the energy of springs depends on.
     void note_places() {
         room_.position = p_.position;
         int kind = 0;
