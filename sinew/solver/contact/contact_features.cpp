@@ -35,11 +35,11 @@ template <int D, class Real> class FeatureFinder {
             if (world_.figures[i].in_use() && any_near(world_.figures[i])) add_segments(i);
         list_particles();
         number_segments();
+        room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
         if constexpr (D == 3) detail::PolyhedronFeatures<Real>(world_, room_).find();
         room_.list.note_features(room_.particles, room_.segments, room_.polyhedra.solids);
         if (room_.is_stale) room_.list.is_valid = false;
         room_.all_by_rows = std::ranges::find(room_.by_rows, char(0)) == room_.by_rows.end();
-        room_.projector.find(world_, solver_, room_.by_rows, room_.is_exact);
         divide();
         find_buried();
         for (const Row slot : room_.cloth.slots) room_.is_exact[slot] = 0;

@@ -6,7 +6,7 @@
 
 namespace sinew::detail {
 
-/// Mesh of all cloth that collides, and the particles and links of other figures that may strike it.
+/// Mesh of all cloth that collides, and the particles, links, and faces of solids of other figures that may strike it.
 template <int D, class Real> class FaceFeatures {
   public:
     FaceFeatures(const World<D, Real>& world, const SweepState<D, Real>& state, ContactRoom<D, Real>& room)
@@ -28,10 +28,15 @@ template <int D, class Real> class FaceFeatures {
     FaceRoom<D, Real>& faces_;
 
     void list_strikers() {
-        faces_.strikers.clear();
+        faces_.strikers.clear(), faces_.solids.clear(), faces_.solid_faces.clear();
         if (faces_.mesh.empty()) return;
-        for (const auto& particle : room_.particles)
+        auto& number = faces_.striker_of;
+        number.clear();
+        for (const auto& particle : room_.particles) {
+            number.push_back(std::uint32_t(faces_.strikers.size()));
             if (!room_.is_of_cloth(particle.row)) add(particle, particle, false);
+        }
+        for (const auto& solid : room_.polyhedra.solids) add(solid);
         for (const auto& s : room_.segments) add(room_.particles[s.number_a], room_.particles[s.number_b], true);
     }
     void add(const ContactParticle<Real>& a, const ContactParticle<Real>& b, bool is_link) {
@@ -41,6 +46,17 @@ template <int D, class Real> class FaceFeatures {
                                    .radius = min(a.radius, b.radius),
                                    .friction = a.friction,
                                    .is_link = is_link});
+    }
+    /// A solid with corners of cloth is cloth.
+    void add(const SolidParts& solid) {
+        const auto& list = room_.polyhedra;
+        const auto corners = std::span(list.corners).subspan(solid.first_corner, solid.corners);
+        if (std::ranges::any_of(corners, [&](auto i) { return room_.is_of_cloth(room_.particles[i].row); })) return;
+        const auto first = std::uint32_t(faces_.solid_faces.size());
+        for (const auto& face : std::span(list.faces).subspan(solid.first_face, solid.faces))
+            faces_.solid_faces.push_back(
+                {faces_.striker_of[face[0]], faces_.striker_of[face[1]], faces_.striker_of[face[2]]});
+        faces_.solids.push_back({first, first + solid.faces, faces_.striker_of[corners.front()]});
     }
     void number_vertices() {
         faces_.vertex_at.assign(faces_.mesh.empty() ? 0 : state_.size(), ~std::uint32_t(0));

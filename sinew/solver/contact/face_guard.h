@@ -57,6 +57,7 @@ template <class Real> class FaceGuard {
     static double kept(double floor, double distance) { return min(floor, 0.9 * distance); }
 
     void look_at(const StrikePair<Real>& pair) {
+        if (pair.side == StrikeSide::inside) return;
         const auto motion = search_.motion(pair);
         const auto near = motion.near_at_start();
         const double floor = floor_of(pair), distance = kept(floor, near.distance);

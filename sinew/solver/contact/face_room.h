@@ -18,12 +18,26 @@ template <class Real> struct Striker {
     bool is_link = false;
 };
 
-/// A particle and a face of cloth, or a link and an edge.
+/// Place of a vertex beside a face of a solid.
+enum class StrikeSide : std::uint8_t {
+    nearest, ///< no other face is nearer; likewise all other pairs
+    before,  ///< another face is nearer
+    inside   ///< within the solid
+};
+
+/// A particle and a face of cloth, a link and an edge, or a vertex of cloth and a face of a solid.
 template <class Real> struct StrikePair {
     std::array<Row, 4> slot{};
-    std::size_t first_side = 1;            ///< corners of the striker
+    std::size_t first_side = 1;            ///< corners of the first feature
     std::uint32_t striker = 0, vertex = 0; ///< vertex of the mesh: some corner
     Real thickness = 0;
+    StrikeSide side = StrikeSide::nearest;
+};
+
+/// Solid that the vertices of cloth may strike: its faces, and a corner.
+struct SolidStriker {
+    std::uint32_t first_face = 0, last_face = 0;
+    std::uint32_t lead = 0; ///< striker
 };
 
 /// Features that a row of contact holds apart.
@@ -38,7 +52,10 @@ template <int D, class Real> struct FaceRoom {
     ClothMesh<D, Real> mesh;
     std::vector<std::uint32_t> vertex_at; ///< by slot: number of the vertex of the mesh, or none
     std::vector<Striker<Real>> strikers;
-    std::vector<std::array<Row, 2>> links; ///< rows of linked particles, one of them of cloth; sorted
+    std::vector<std::uint32_t> striker_of; ///< by colliding particle
+    std::vector<SolidStriker> solids;
+    std::vector<std::array<std::uint32_t, 3>> solid_faces; ///< of these, in turn; strikers
+    std::vector<std::array<Row, 2>> links;                 ///< rows of linked particles, one of them of cloth; sorted
 
     std::vector<Box> vertex_box;           ///< around the motions of a substep
     std::vector<std::uint8_t> sides;       ///< per vertex: sides of what strikers reach that its box is beyond

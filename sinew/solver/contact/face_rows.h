@@ -6,7 +6,7 @@
 namespace sinew::detail {
 
 /// Rows of contact of particles with faces, and of links with edges. Nothing has crossed at the start of a substep, so
-/// the nearest points tell the side.
+/// the nearest points tell the side; but solids know their inside.
 template <class Real> class FaceRows {
   public:
     using Vector = Vec3<Real>;
@@ -22,6 +22,12 @@ template <class Real> class FaceRows {
     void add(const StrikePair<Real>& pair, const PairMotion& motion) {
         const auto near = motion.near_at_start();
         const double thickness = double(pair.thickness), fastest = motion.fastest();
+        if (pair.side == StrikeSide::inside) {
+            auto out = near;
+            out.normal = -near.normal;
+            add(pair, motion, {.near = out}, -min(near.distance + thickness, most_depth * thickness));
+            return;
+        }
         const double gap = near.distance - thickness;
         if (gap > 2 * fastest + double(near_by_) || near.distance < least_side * thickness) return;
         const bool is_fast = fastest > share_of_fast * thickness && gap > 0;
@@ -29,7 +35,7 @@ template <class Real> class FaceRows {
             is_fast ? first_impact(motion, near, thickness, impact_tolerance * thickness) : Impact{.near = near};
         if (impact.is_found)
             add(pair, motion, impact, impact.near.distance - thickness);
-        else if (!is_fast || gap <= double(near_by_))
+        else if (pair.side == StrikeSide::nearest && (!is_fast || gap <= double(near_by_)))
             add(pair, motion, {.near = near}, gap);
     }
     /// Adds the row of a pair whose gap at an impact is known. True if it may be moved.
@@ -78,6 +84,7 @@ template <class Real> class FaceRows {
     const ContactFilter& filter_;
     Real near_by_, h_;
     static constexpr double share_of_fast = 0.5;     ///< motion that counts as fast, in thicknesses
+    static constexpr double most_depth = 4;          ///< depth that a row sees, in thicknesses
     static constexpr double impact_tolerance = 0.02; ///< in thicknesses
     static constexpr double least_side = 1e-6;       ///< distance from which there is a side, in thicknesses
 

@@ -7,7 +7,8 @@
 
 namespace sinew::detail {
 
-/// Lists the solids in space: surfaces of filled outlines, each edge between two triangles, convex at present.
+/// Lists the solids in space: surfaces of filled outlines, each edge between two triangles, convex at present; a rigid
+/// one, which a blow may bend for a moment, by its lengths.
 template <class Real> class PolyhedronFeatures {
   public:
     using Vector = Vec3<Real>;
@@ -23,9 +24,11 @@ template <class Real> class PolyhedronFeatures {
         list_faces();
         if (solids_.listed.empty()) return;
         solids_.solid_of.assign(room_.particles.size(), none);
+        solids_.place.resize(room_.particles.size());
         sinew::sort(solids_.listed.begin(), solids_.listed.end());
         for (std::size_t first = 0, last = 0; first < solids_.listed.size(); first = last) {
             while (last < solids_.listed.size() && solids_.listed[last].solid == solids_.listed[first].solid) ++last;
+            place_corners(std::uint32_t(first), std::uint32_t(last));
             add(std::uint32_t(first), std::uint32_t(last));
         }
         for (auto& segment : room_.segments) segment.edge = edge_between(segment.number_a, segment.number_b);
@@ -37,10 +40,10 @@ template <class Real> class PolyhedronFeatures {
     ContactRoom<3, Real>& room_;
     PolyhedronRoom& solids_;
 
-    /// At the start of the step.
-    const Vector& place(std::uint32_t number) const { return world_.particles.position[room_.particles[number].row]; }
+    /// At the start of the step, or at rest.
+    Vector place(std::uint32_t number) const { return cast<Real>(solids_.place[number]); }
     Real beyond(const PolyhedronRoom::Face& face, const Vector& x) const {
-        const auto &a = place(face[0]), &b = place(face[1]), &c = place(face[2]);
+        const auto a = place(face[0]), b = place(face[1]), c = place(face[2]);
         return dot(normal_of(cross(b - a, c - a), Vector::axis(1)), x - a);
     }
     std::uint32_t number_of(ParticleId id) const {
@@ -64,6 +67,23 @@ template <class Real> class PolyhedronFeatures {
         solids_.listed.push_back({.face = face});
     }
 
+    /// Places the corners of a range of the listed triangles.
+    void place_corners(std::uint32_t first, std::uint32_t last) {
+        const auto each_corner = [&](const auto& visit) {
+            for (auto i = first; i < last; ++i)
+                for (const auto corner : solids_.listed[i].face) visit(corner, room_.particles[corner]);
+        };
+        const auto cluster_of = room_.projector.cluster_of();
+        const auto slot = room_.particles[solids_.listed[first].face[0]].slot;
+        const auto cluster = slot < cluster_of.size() ? cluster_of[slot] : none;
+        bool is_rigid = cluster != none;
+        each_corner(
+            [&](std::uint32_t, const auto& particle) { is_rigid = is_rigid && cluster_of[particle.slot] == cluster; });
+        each_corner([&](std::uint32_t corner, const auto& particle) {
+            solids_.place[corner] = is_rigid ? room_.projector.links().clusters.rest_of(particle.slot)
+                                             : cast<double>(world_.particles.position[particle.row]);
+        });
+    }
     /// Adds the solid of a range of the listed triangles, if there is one.
     void add(std::uint32_t first, std::uint32_t last) {
         const SolidParts solid{.first_face = std::uint32_t(solids_.faces.size()),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sinew/math/union_find.h"
+#include "sinew/math/vec.h"
 #include "sinew/world/figure.h"
 
 #include <array>
@@ -51,6 +52,7 @@ struct PolyhedronRoom {
         Face face{};
         friend constexpr auto operator<=>(const Listed&, const Listed&) = default;
     };
+    std::vector<Vec3<double>> place; ///< of corners, by number of the particle
     std::vector<Half> halves;
     std::vector<Listed> listed;
     UnionFind joined;

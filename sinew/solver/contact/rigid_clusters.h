@@ -53,6 +53,8 @@ template <int D> class RigidClusters {
     }
     /// `none` outside of clusters.
     std::uint32_t cluster_of(std::uint32_t particle) const { return cluster_of_[particle]; }
+    /// Of a member.
+    const Vector& rest_of(std::uint32_t particle) const { return members[member_of_[particle]].rest; }
 
   private:
     struct Edge {

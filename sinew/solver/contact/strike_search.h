@@ -9,7 +9,8 @@
 
 namespace sinew::detail {
 
-/// Search for particles and faces, and for links and edges, whose motions in a substep come near each other.
+/// Search for particles and faces, links and edges, and vertices of cloth and faces of solids, whose motions in a
+/// substep come near each other.
 template <class Real> class StrikeSearch {
   public:
     using Vector = Vec3<Real>;
@@ -39,6 +40,7 @@ template <class Real> class StrikeSearch {
                 striker.is_link ? visit_edges(i, box, cell, visit) : visit_faces(i, box, cell, visit);
             });
         }
+        for (const auto& solid : room_.solids) each_vertex_at(solid, margin, visit);
     }
     PairMotion motion(const StrikePair<Real>& pair) const {
         PairMotion motion{.first_side = pair.first_side};
@@ -160,6 +162,69 @@ template <class Real> class StrikeSearch {
                                  .vertex = edge[0],
                                  .thickness = thickness(striker, edge)});
         }
+    }
+
+    // --- solids ------------------------------------------------------------------------------------------------------
+
+    Box box_around_face(const std::array<std::uint32_t, 3>& face) const {
+        Box box;
+        for (const auto corner : face) include(box, box_of(room_.strikers[corner]));
+        return box;
+    }
+    template <class Margin, class Visit> void each_vertex_at(const SolidStriker& solid, Margin&& margin, Visit& visit) {
+        const auto& lead = room_.strikers[solid.lead];
+        Box box;
+        for (auto i = solid.first_face; i < solid.last_face; ++i) include(box, box_around_face(room_.solid_faces[i]));
+        const Real reach = margin(lead.radius + widest_);
+        room_.tree.each_near(box.grown(reach), [&](std::uint32_t number) {
+            const auto cell = room_.near_cells[number];
+            if (!may_touch(lead, cell)) return;
+            for (auto i = mesh_.cells[cell].vertices.first; i < mesh_.cells[cell].vertices.last; ++i)
+                if (const auto vertex = mesh_.vertex_of_cell[i]; room_.vertex_box[vertex].overlaps(box.grown(reach)))
+                    visit_solid(solid, vertex, reach, visit);
+        });
+    }
+    /// A vertex outside may strike any face, as the solid turns; a vertex inside comes out of the nearest.
+    template <class Visit> void visit_solid(const SolidStriker& solid, std::uint32_t vertex, Real reach, Visit& visit) {
+        const auto x = cast<double>(state_.position_at(mesh_.slots[vertex]));
+        auto side = StrikeSide::inside;
+        auto nearest = solid.first_face;
+        double least = std::numeric_limits<double>::infinity();
+        for (auto i = solid.first_face; i < solid.last_face; ++i) {
+            const auto corner = corners_of(room_.solid_faces[i], x);
+            if (const double away = nearest_vertex_face(corner).distance; away < least) nearest = i, least = away;
+            if (is_in_front(corner)) side = StrikeSide::before;
+        }
+        for (auto i = solid.first_face; i < solid.last_face; ++i) {
+            const auto& face = room_.solid_faces[i];
+            if (i != nearest && side == StrikeSide::inside) continue;
+            if (!room_.vertex_box[vertex].overlaps(box_around_face(face).grown(reach))) continue;
+            const bool is_nearest = i == nearest && side == StrikeSide::before;
+            visit_solid_face(face, vertex, is_nearest ? StrikeSide::nearest : side, visit);
+        }
+    }
+    template <class Visit>
+    void visit_solid_face(const std::array<std::uint32_t, 3>& face, std::uint32_t vertex, StrikeSide side,
+                          Visit& visit) {
+        StrikePair<Real> pair{.slot = {mesh_.slots[vertex]}, .striker = face[0], .vertex = vertex, .side = side};
+        Real radius = std::numeric_limits<Real>::max();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto& corner = room_.strikers[face[i]];
+            if (are_linked(corner.row[0], row_of(vertex))) return;
+            pair.slot[i + 1] = corner.slot[0];
+            radius = min(radius, corner.radius);
+        }
+        pair.thickness = max(radius + radius_of(vertex), least * mesh_.half_thickness[vertex]);
+        visit(pair);
+    }
+    FeatureCorners<double> corners_of(const std::array<std::uint32_t, 3>& face, const Vec3<double>& x) const {
+        FeatureCorners<double> corner{x};
+        for (std::size_t i = 0; i < 3; ++i)
+            corner[i + 1] = cast<double>(state_.position_at(room_.strikers[face[i]].slot[0]));
+        return corner;
+    }
+    static bool is_in_front(const FeatureCorners<double>& corner) {
+        return dot(cross(corner[2] - corner[1], corner[3] - corner[1]), corner[0] - corner[1]) > 0;
     }
 
     /// True if a link joins a striker to a corner, or a link of its own begins in a cell of that corner.
