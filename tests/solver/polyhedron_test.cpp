@@ -300,7 +300,8 @@ TYPED_TEST(Polyhedron, ACrateLiesOnPeaks) {
         for (const double size : {0.1, 1.0, 20.0})
             for (const double dot : {0.0, 0.05})
                 for (const double fall : {0.02, 2.0}) {
-                    auto world = space<Real>();
+                    auto world = space<Real>(false);
+                    sinew::test::fall(world, 9.81);
                     collide::Collider<3, Real> collider{.shape = peaks<Real>(size, is_mesh)};
                     collider.target.position = Vec3<Real>{{Real(-1.5 * size), 0, Real(-1.5 * size)}};
                     collider.friction = Real(0.5);

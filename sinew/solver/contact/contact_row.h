@@ -108,8 +108,11 @@ template <int D, class Real> struct IslandRow {
     Vec<D, Real> change{}, direction{};
 };
 
-/// Masses of the bodies of an island, kg.
-template <class Real> struct IslandMasses { Real lightest = std::numeric_limits<Real>::max(), heaviest = 0; };
+/// Masses of the bodies of an island, kg; and whether a blow meets one of them.
+template <class Real> struct IslandMasses {
+    Real lightest = std::numeric_limits<Real>::max(), heaviest = 0;
+    bool is_struck = false;
+};
 
 /// Row of a blow. Displacements are those along the normal in a substep.
 template <class Real> struct ReboundRow {

@@ -63,7 +63,10 @@ template <class Real> class SolidWallRows : WallRows<3, Real> {
 
     collide::BoundingBox<3, Real> box_around(const Face& face) const {
         collide::BoundingBox<3, Real> box;
-        for (const auto corner : face) box.include(polyhedra_.place(corner));
+        for (const auto corner : face) {
+            const auto place = polyhedra_.place(corner);
+            box.include(place), box.include(place + state_.displacement_at(room_.particles[corner].slot));
+        }
         return box;
     }
     struct Point {
