@@ -63,6 +63,7 @@ Session::~Session() = default;
 
 void Session::restart() {
     world_ = instantiate(scene_);
+    if (shows_nothing(focus_of(scene_, world_))) focus_ = {};
     find_driven();
     build_level();
     islands_.clear();
@@ -92,6 +93,10 @@ void Session::build_level() {
     if (!level_) return;
     set_contact_filter({}); // that of the code before
     level_->build(*this);
+}
+
+std::array<Point, 2> Session::focus() const {
+    return shows_nothing(focus_) ? focus_of(scene_, world_) : focus_;
 }
 
 double Session::seconds() const {
@@ -130,6 +135,7 @@ void Session::prepare() {
 
 void Session::step() {
     const double dt = step_length(scene_);
+    focus_ = focus();
     happen_now();
     still_gusts();
     drive();
@@ -262,7 +268,7 @@ template <class Event> Session::Noted Session::apply(const Event& event, std::ui
 }
 
 std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double> within) {
-    return cut(line, within, View(scene_, focus_, scene_.view.size[0], scene_.view.size[1]));
+    return cut(line, within, view(scene_.view.size[0], scene_.view.size[1]));
 }
 
 std::size_t Session::cut(const std::array<Point, 2>& line, std::optional<double> within, const View& view) {

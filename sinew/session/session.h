@@ -166,11 +166,12 @@ class Session {
     /// Position of a pixel of a `width` x `height` picture in a 2D scene.
     Vec2<double> position_of(Vec2<double> pixel, int width, int height) const;
 
-    /// Two opposite corners around everything the scene shows at the start.
-    const std::array<Point, 2>& focus() const { return focus_; }
+    /// Two opposite corners around everything shown at the start: before the first step with something to show, at
+    /// present.
+    std::array<Point, 2> focus() const;
 
     /// The view that the scene asks for in a picture of that size, in pixels.
-    View view(int width, int height) const { return {scene_, focus_, width, height}; }
+    View view(int width, int height) const { return {scene_, focus(), width, height}; }
 
     /// Files of images by name, as the looks of the scene call them.
     const Images& images() const { return images_; }
@@ -265,7 +266,7 @@ class Session {
     AnyWorld world_;
     AnySolver solver_;
     Images images_;
-    std::array<Point, 2> focus_; ///< two opposite corners around the initial scene
+    std::array<Point, 2> focus_; ///< no extent, at the origin: nothing was there yet
     std::vector<Due> due_;       ///< a heap
     ContactRules rules_;
     std::vector<Driven> driven_;

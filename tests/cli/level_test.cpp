@@ -1,3 +1,4 @@
+#include "tests/canvas/pixels.h"
 #include "tests/canvas/scratch_folder.h"
 #include "tests/cli/command.h"
 #include "tests/paths.h"
@@ -242,6 +243,33 @@ TEST(Level, KeepsItsMemoryWithTheWorld) {
     EXPECT_EQ(where[0]["at"], where[1]["at"]);
 }
 
+/// Share of a picture's pixels that are unlike its upper left one.
+double drawn_share(const fs::path& path) {
+    const PngFile picture(path);
+    int drawn = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) drawn += difference(picture.at(x, y), picture.at(0, 0)) > 40;
+    return double(drawn) / (picture.width * picture.height);
+}
+
+/// The page's example has no view of its own: its rope hangs in the middle of an empty picture.
+TEST(Level, IsSeenWithoutAView) {
+    const ScratchFolder folder;
+    write(folder / "rope.c", R"(#include <sinew_level.h>
+static sinew_status build(sinew_world world) {
+    const sinew_figure_spec rope = {.struct_size = sizeof rope, .prefab = "rope"};
+    return sinew_world_add_figure(world, &rope, NULL);
+}
+SINEW_LEVEL(.build = build)
+)");
+    const auto outcome = play(folder, "rope.c", "0 shot first.png\n1 shot later.png\n1 end\n");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* name : {"first.png", "later.png"}) {
+        EXPECT_GT(drawn_share(folder / name), 0.001) << name;
+        EXPECT_LT(drawn_share(folder / name), 0.1) << name;
+    }
+}
+
 TEST(Level, ExampleIsPlayed) {
     const ScratchFolder folder;
     const auto outcome = play(folder, sinew::test::source_dir() + "/examples/level.c",
@@ -250,7 +278,8 @@ TEST(Level, ExampleIsPlayed) {
     const auto at = lines_of(outcome.out, "where").at(0)["at"];
     EXPECT_GT(at[0].get<double>(), 2); // up the stairs
     EXPECT_GT(at[1].get<double>(), 0.7);
-    EXPECT_TRUE(fs::exists(folder / "level.png"));
+    EXPECT_GT(drawn_share(folder / "level.png"), 0.02); // stairs and ground
+    EXPECT_LT(drawn_share(folder / "level.png"), 0.5);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "sinew/session/focus.h"
 #include "sinew/session/session.h"
+#include "sinew/world/edit.h"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,25 @@ TEST(Focus, CollidersNearTheFiguresAreShown) {
               corners(-2.5, -1, 2.5, 2));
     EXPECT_EQ(focus_with(R"(, "colliders": [{"shape": "box", "at": [0, -9], "size": [100, 1]}])"),
               corners(-1, 0, 1, 2));
+}
+
+/// Figures of calls are shown from the first step on as they were then.
+TEST(Focus, AWorldThatIsBuiltLaterIsShownAsItIsAtTheFirstStep) {
+    auto document = load(R"({"sinew": 1, "world": {"gravity": [0, -10]}})", "test.json");
+    Session session(*open_scene(document));
+    session.step();
+    EXPECT_EQ(session.focus(), corners(0, 0, 0, 0));
+    std::visit(
+        []<int D, class Real>(World<D, Real>& world) {
+            for (const double x : {-1, 1})
+                add_particle(world, ParticleSpec<D, Real>{.position = Vec<D, Real>::axis(0) * Real(x), .mass = 1});
+        },
+        session.world());
+    EXPECT_EQ(session.focus(), corners(-2, -1, 2, 1));
+    session.run_until(2);
+    EXPECT_EQ(session.focus(), corners(-2, -1, 2, 1));
+    session.restart();
+    EXPECT_EQ(session.focus(), corners(0, 0, 0, 0)) << "as empty as it was";
 }
 
 TEST(Focus, ASceneOfNothingIsShownAroundItsOrigin) {

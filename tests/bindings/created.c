@@ -1,0 +1,45 @@
+/* Worlds built by calls alone: picture, text, refusals. */
+#include "tests/bindings/worlds.h"
+
+#include <math.h>
+#include <string.h>
+
+static sinew_world with_rope(void) {
+    const sinew_world_spec spec = {.struct_size = sizeof spec, .gravity = {0, -10, 0}};
+    const sinew_figure_spec rope = {.struct_size = sizeof rope, .prefab = "rope", .name = "r", .position = {0, 4, 0}};
+    sinew_world world = {0};
+    CHECK(sinew_world_create(&spec, &world) == SINEW_OK);
+    CHECK(sinew_world_add_figure(world, &rope, NULL) == SINEW_OK);
+    return world;
+}
+
+/* A metre of the world in pixels of its picture, 800 wide and 600 high; the rope's first end is in the picture. */
+static double pixels_of_a_metre(sinew_world world) {
+    double x = NAN, y = NAN, above = NAN;
+    CHECK(sinew_world_project(world, 800, 600, (sinew_point){0, 4, 0}, &x, &y) == SINEW_OK);
+    CHECK(sinew_world_project(world, 800, 600, (sinew_point){0, 5, 0}, &x, &above) == SINEW_OK);
+    CHECK(x > 0 && x < 800 && y > 0 && y < 600);
+    return y - above;
+}
+
+/* The picture fits what is there at the first step; it stays, whatever comes to be later. */
+static void the_picture_fits_the_figures(void) {
+    const sinew_world world = with_rope();
+    const double scale = pixels_of_a_metre(world);
+    const sinew_particle_spec far = {.struct_size = sizeof far, .position = {900, 0, 0}, .mass = 1};
+    sinew_particle stone;
+    CHECK(scale > 50 && scale < 600);
+    CHECK(sinew_world_step(world, 1) == SINEW_OK && pixels_of_a_metre(world) == scale);
+    CHECK(sinew_world_add_particle(world, &far, &stone) == SINEW_OK && sinew_world_step(world, 1) == SINEW_OK);
+    CHECK(pixels_of_a_metre(world) == scale);
+    CHECK(sinew_world_restart(world) == SINEW_OK);
+    CHECK(sinew_world_add_particle(world, &far, &stone) == SINEW_OK);
+    const sinew_figure_spec rope = {.struct_size = sizeof rope, .prefab = "rope", .position = {0, 4, 0}};
+    CHECK(sinew_world_add_figure(world, &rope, NULL) == SINEW_OK && pixels_of_a_metre(world) < scale / 50);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
+int main(void) {
+    the_picture_fits_the_figures();
+    return failures == 0 ? 0 : 1;
+}
