@@ -268,7 +268,10 @@ bool Play::save(const fs::path& path) {
     drop_draft();
     note_recent(path);
     message = "saved " + full_path(path);
-    tell("saved", {{"path", path.string()}});
+    const auto left_out = std::uint64_t(figures_beside_scene(panes_[own_pane_].timeline.session()));
+    if (left_out > 0)
+        message += concat(", which leaves out figures of code and events: ", left_out, "; a state has all");
+    tell("saved", {{"path", path.string()}, {"left_out", left_out}});
     return true;
 }
 

@@ -5,6 +5,8 @@
 #include "sinew/scene/types.h"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 
 namespace sinew::play {
 namespace {
@@ -35,18 +37,29 @@ std::string constraint_name(const Figure& figure, std::size_t number) {
     return name.empty() ? "" : figure.name + "/" + name;
 }
 
-/// Names of the cut constraints: built with the figures, gone from the world. Unnamed constraints are left out.
-RemoveEvent removed_constraints(const AnyWorld& world) {
-    RemoveEvent removal;
+/// Calls visit(world, figure, is_of_scene) for every figure; those of calls and events are not of the scene.
+template <class Visit> void each_figure(const Session& session, Visit&& visit) {
+    std::set<std::string, std::less<>> described;
+    for (const auto& section : session.scene().figures) described.emplace(name_of(section));
     std::visit(
-        [&](const auto& any) {
-            for (const auto& figure : any.figures)
-                for (std::size_t i = 0; i < figure.constraints.size(); ++i)
-                    if (!constraint_state(any, figure.constraints[i]))
-                        if (auto name = constraint_name(figure, i); !name.empty())
-                            removal.names.push_back(std::move(name));
+        [&](const auto& world) {
+            for (FigureIndex i = 0; i < world.figures.size(); ++i) {
+                const auto& figure = world.figures[i];
+                if (figure.in_use())
+                    visit(world, figure, described.contains(figure.name) && !session.added().find(figure_id(world, i)));
+            }
         },
-        world);
+        session.world());
+}
+
+/// Names of the scene's cut constraints: built with the figures, gone from the world. Unnamed constraints are left out.
+RemoveEvent removed_constraints(const Session& session) {
+    RemoveEvent removal;
+    each_figure(session, [&](const auto& world, const Figure& figure, bool is_of_scene) {
+        for (std::size_t i = 0; is_of_scene && i < figure.constraints.size(); ++i)
+            if (!constraint_state(world, figure.constraints[i]))
+                if (auto name = constraint_name(figure, i); !name.empty()) removal.names.push_back(std::move(name));
+    });
     return removal;
 }
 
@@ -54,9 +67,15 @@ RemoveEvent removed_constraints(const AnyWorld& world) {
 
 std::string text_of(const Session& session) {
     auto scene = session.scene();
-    if (auto removal = removed_constraints(session.world()); !removal.names.empty())
+    if (auto removal = removed_constraints(session); !removal.names.empty())
         scene.events.insert(scene.events.begin(), EventSection{.at = 0.0, .on = {}, .event = std::move(removal)});
     return json::to_text(to_json(scene)) + "\n";
+}
+
+std::size_t figures_beside_scene(const Session& session) {
+    std::size_t count = 0;
+    each_figure(session, [&](const auto&, const Figure&, bool is_of_scene) { count += is_of_scene ? 0 : 1; });
+    return count;
 }
 
 Edited edited(const Scene& scene, const std::function<void(json::Object& root)>& change) {

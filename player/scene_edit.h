@@ -3,6 +3,7 @@
 #include "sinew/scene/scene.h"
 #include "sinew/session/session.h"
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -18,9 +19,11 @@ struct Edited {
     Diagnostics diagnostics{};
 };
 
-/// Text of a scene file, without values equal to their defaults. Cut constraints are listed by name in an
-/// event at the start.
+/// Text of a scene file, without values equal to their defaults. Cut constraints of the scene's figures are listed by
+/// name in an event at the start; figures that calls and events have added are left out.
 std::string text_of(const Session& session);
+/// Number of figures that text_of() leaves out.
+std::size_t figures_beside_scene(const Session& session);
 
 /// Applies a change to the JSON object of the scene.
 Edited edited(const Scene& scene, const std::function<void(json::Object& root)>& change);

@@ -414,7 +414,8 @@ SINEW_API sinew_status sinew_world_overlapping_links(sinew_world world, const si
 
 /* --- the scene of a world ---------------------------------------------------------------------------------------- */
 
-/* The scene as a file states it, with all edits; cut constraints are in an event at the start. */
+/* The scene as a file states it, with the edits of sinew_world_set(); an event at the start removes cut constraints of
+ * its figures. What calls and events have added is in sinew_world_save() alone. */
 SINEW_API sinew_status sinew_world_scene_text(sinew_world world, const char** json);
 /* Values that a form can show: a JSON array of {path, name, value, type, unit, low, high, choices, help}. Paths are
  * those of overrides; low, high and choices are absent where there are none. */

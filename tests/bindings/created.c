@@ -39,7 +39,38 @@ static void the_picture_fits_the_figures(void) {
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
+/* What calls have cut of what calls have added is in no text. */
+static void the_text_of_a_cut_world_is_a_scene(void) {
+    const sinew_world world = with_rope();
+    const char* text = NULL;
+    uint32_t cut = 0;
+    CHECK(sinew_world_cut(world, (sinew_point){-1, 3.4, 0}, (sinew_point){1, 3.4, 0}, &cut) == SINEW_OK && cut > 0);
+    CHECK(sinew_world_scene_text(world, &text) == SINEW_OK && strstr(text, "remove") == NULL);
+    CHECK(sinew_check(text, NULL) == SINEW_OK);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
+/* An added figure may have the name of one of the scene that is gone. */
+static void the_text_knows_namesakes(void) {
+    const sinew_world world =
+        opened("{\"sinew\": 1, \"figures\": [{\"prefab\": \"rope\", \"name\": \"r\", \"at\": [0, 4]}]}");
+    const sinew_figure_spec rope = {.struct_size = sizeof rope, .prefab = "rope", .name = "r", .position = {0, 4, 0}};
+    const sinew_point left = {-1, 3.4, 0}, right = {1, 3.4, 0};
+    const char* text = NULL;
+    uint32_t cut = 0, figure = 0;
+    CHECK(sinew_world_cut(world, left, right, &cut) == SINEW_OK && cut > 0);
+    CHECK(sinew_world_scene_text(world, &text) == SINEW_OK && strstr(text, "remove") != NULL);
+    CHECK(sinew_world_find_figure(world, "r", &figure) == SINEW_OK);
+    CHECK(sinew_world_remove_figure(world, figure) == SINEW_OK);
+    CHECK(sinew_world_add_figure(world, &rope, NULL) == SINEW_OK);
+    CHECK(sinew_world_cut(world, left, right, &cut) == SINEW_OK && cut > 0);
+    CHECK(sinew_world_scene_text(world, &text) == SINEW_OK && strstr(text, "remove") == NULL);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
 int main(void) {
     the_picture_fits_the_figures();
+    the_text_of_a_cut_world_is_a_scene();
+    the_text_knows_namesakes();
     return failures == 0 ? 0 : 1;
 }

@@ -270,6 +270,16 @@ SINEW_LEVEL(.build = build)
     }
 }
 
+/// A scene of the level's figures would be empty: the player says so, and what is written opens.
+TEST(Level, SavingSaysWhatIsLeftOut) {
+    const ScratchFolder folder;
+    write(folder / "ball.c", level("{0, 0, 0}"));
+    const auto outcome = play(folder, "ball.c", "1 save mine.json\n1 end\n");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.out, "saved").at(0)["left_out"], 1);
+    EXPECT_EQ(sinew({"check", (folder / "mine.json").string()}).code, 0);
+}
+
 TEST(Level, ExampleIsPlayed) {
     const ScratchFolder folder;
     const auto outcome = play(folder, sinew::test::source_dir() + "/examples/level.c",

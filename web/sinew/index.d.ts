@@ -500,7 +500,7 @@ export interface Simulation {
     /** Cuts every distance that crosses the line; returns their number. */
     cut(from: Point, to: Point): number;
 
-    /** The scene as a file states it, with all edits. */
+    /** The scene as a file states it, with the edits of `set`; `save` also has what calls and events have added. */
     sceneText(): string;
     parameters(): SceneParameter[];
     /** Sets one value of the running scene. Throws SceneErrors. */

@@ -134,7 +134,8 @@ class Simulation(Queries, Edits, Pictures):
 
     @property
     def scene(self) -> dict[str, Any]:
-        """The scene as a file states it, with all edits, as a new dict."""
+        """The scene as a file states it, with the edits of ``set``, as a new dict. ``save`` also has what calls and events
+        have added."""
         found: dict[str, Any] = json.loads(self._core.scene_text())
         return found
 
