@@ -139,13 +139,14 @@ class DiffCommand final : public Command {
             .name = "diff",
             .usage = "A B [-o FILE] [--seconds S] [--json]",
             .about = "compares two scenes, snapshots, recordings or traces and tells where they part",
-            .details = "The first step after which any number of the two states differs is told, with the first field\n"
-                       "and row that does, both values, and how much the field differs at most. Two snapshots are\n"
-                       "compared as they are, and go on for --seconds if it is given; recordings are played to the\n"
-                       "end of the shorter one. Traces (run --trace) are compared row by row. Exit code 0 if they are "
-                       "equal to the last bit, 1 if not.\n"
-                       "The picture of -o has both beside each other after that step, and a ring around the\n"
-                       "particle; with --later S the runs go on before it is drawn, until the difference is seen.\n",
+            .details =
+                "The first step after which any number of the two states differs is told, with the first field\n"
+                "and row that does, both values, and how much the field differs at most. Two snapshots are\n"
+                "compared as they are, and go on for --seconds if it is given; recordings are played to the\n"
+                "end of the shorter one. Traces (run --trace) are compared row by row, and have the same rows and\n"
+                "columns. Exit code 0 if all are equal to the last bit, 1 if not.\n"
+                "The picture of -o has both beside each other after that step, and a ring around the\n"
+                "particle; with --later S the runs go on before it is drawn, until the difference is seen.\n",
             .examples = "sinew diff before.sinew after.sinew\n"
                         "sinew diff monday.rec tuesday.rec --json | jq .field\n"
                         "sinew diff here.csv there.csv\n"

@@ -45,6 +45,12 @@ class TraceReader {
     }
 
     std::size_t line() const { return line_; }
+    /// Columns of a table, each called by its text; empty for lines of JSON.
+    Row heading() const {
+        Row row;
+        for (const auto& field : fields_) row.emplace_back(field, field);
+        return row;
+    }
     /// False at the end.
     bool read(Row& row) {
         row.clear();
@@ -81,26 +87,39 @@ class TraceReader {
     }
 };
 
+using Cell = TraceReader::Row::value_type;
+
+/// Null for a field that the row has not.
+const std::string* cell_at(const TraceReader::Row& row, std::string_view field) {
+    const auto found = std::ranges::find(row, field, &Cell::first);
+    return found == row.end() ? nullptr : &found->second;
+}
+
 std::string text_at(const TraceReader::Row& row, std::string_view field) {
-    const auto found = std::ranges::find(row, field, [](const auto& cell) { return cell.first; });
-    return found == row.end() ? std::string() : found->second;
+    const auto* cell = cell_at(row, field);
+    return cell ? *cell : "missing";
 }
 
 double apart(const std::string& a, const std::string& b) {
     return std::fabs(std::strtod(a.c_str(), nullptr) - std::strtod(b.c_str(), nullptr));
 }
 
-/// Largest difference of two rows, and the first cell that differs; null where they are equal.
-const TraceReader::Row::value_type* first_difference(const TraceReader::Row& a, const TraceReader::Row& b,
-                                                     double& most) {
-    const TraceReader::Row::value_type* found = nullptr;
+/// Largest difference of two rows, and the first cell that differs or is missing in one; null where they are equal.
+const Cell* first_difference(const TraceReader::Row& a, const TraceReader::Row& b, double& most) {
+    const Cell* found = nullptr;
     for (const auto& cell : a) {
-        const auto other = text_at(b, cell.first);
-        if (cell.second == other) continue;
+        const auto* other = cell_at(b, cell.first);
+        if (other && cell.second == *other) continue;
         if (!found) found = &cell;
-        most = std::max(most, apart(cell.second, other));
+        if (other) most = std::max(most, apart(cell.second, *other));
     }
-    return found;
+    if (found || a.size() == b.size()) return found;
+    const auto extra = std::ranges::find_if(b, [&](const Cell& cell) { return !cell_at(a, cell.first); });
+    return extra == b.end() ? nullptr : &*extra;
+}
+
+std::string called(const TraceReader::Row& row) {
+    return fmt::format("at {} ({})", text_at(row, "time"), text_at(row, "name"));
 }
 
 } // namespace
@@ -115,20 +134,24 @@ std::optional<TraceDifference> trace_difference(const std::string& first, const 
                                                 std::size_t& rows) {
     if (head_of(first) != head_of(second)) refuse(second, "a trace of another kind than " + first);
     TraceReader a(first), b(second);
-    TraceReader::Row left, right;
+    auto left = a.heading(), right = b.heading();
     std::optional<TraceDifference> found;
     double most = 0;
-    for (rows = 0; a.read(left) && b.read(right); ++rows) {
-        give_up_if_interrupted();
+    const auto compare = [&](const std::string& row) {
         const auto* cell = first_difference(left, right, most);
-        if (!cell) continue;
-        if (!found)
-            found = TraceDifference{.line = a.line(),
-                                    .row = fmt::format("at {} ({})", text_at(left, "time"), text_at(left, "name")),
-                                    .field = cell->first,
-                                    .first = cell->second,
-                                    .second = text_at(right, cell->first)};
-        ++found->rows;
+        if (cell && !found)
+            found = {a.line(), row, cell->first, text_at(left, cell->first), text_at(right, cell->first)};
+        return cell != nullptr;
+    };
+    compare("the heading");
+    for (rows = 0;; ++rows) {
+        give_up_if_interrupted();
+        const bool has_left = a.read(left), has_right = b.read(right);
+        if (has_left != has_right && !found)
+            found = {a.line(), called(has_left ? left : right), "the row", has_left ? "there" : "missing",
+                     has_right ? "there" : "missing"};
+        if (!has_left || !has_right) break;
+        if (compare(called(left))) ++found->rows;
     }
     if (found) found->most = most;
     return found;

@@ -158,3 +158,33 @@ TEST(Diff, TellsTheFirstStepAndField) {
 
 } // namespace
 } // namespace sinew::cli_test::SINEW_TEST_FILE
+/// Traces of which one lacks rows or columns.
+TEST(Diff, TellsWhichTraceLacksARowOrColumn) {
+    const auto one = scratch("one.csv"), other = scratch("lacking.csv");
+    const std::string heading = "time,name,x,y\n", row = "0,f/a,1,2\n", next = "1,f/a,1,2\n";
+    const auto diff = [&](const std::string& first, const std::string& second) {
+        write(one, first);
+        write(other, second);
+        const auto outcome = sinew({"diff", one, other, "--json"});
+        EXPECT_EQ(outcome.code, 1) << first << second << outcome.err;
+        return outcome.code == 1 ? json::parse(outcome.last_line()) : json();
+    };
+    const auto shorter = diff(heading + row + next, heading + row);
+    EXPECT_EQ(shorter["line"], 3);
+    EXPECT_EQ(shorter["row"], "at 1 (f/a)");
+    EXPECT_EQ(shorter["second"], "missing");
+    EXPECT_EQ(diff(heading, heading + row)["first"], "missing");
+    const std::string narrow = "time,name,x\n";
+    EXPECT_EQ(diff(narrow, heading)["field"], "y");
+    EXPECT_EQ(diff(heading + row, narrow + "0,f/a,1\n")["second"], "missing");
+    EXPECT_EQ(diff(narrow + "0,f/a,1\n", heading + row)["first"], "missing");
+    const auto lines = scratch("lines.jsonl"), longer = scratch("longer.jsonl");
+    write(lines, R"({"time":0,"name":"f/a","position":[1,2]})"
+                 "\n");
+    write(longer, R"({"time":0,"name":"f/a","position":[1,2,3]})"
+                  "\n");
+    EXPECT_EQ(sinew({"diff", lines, longer}).code, 1);
+    EXPECT_EQ(sinew({"diff", longer, lines}).code, 1);
+    EXPECT_EQ(sinew({"diff", lines, lines}).code, 0);
+}
+
