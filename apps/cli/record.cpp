@@ -53,7 +53,8 @@ class RecordCommand final : public Command {
     void declare(CLI::App& parser) override {
         declare_scene(parser, words);
         declare_text(parser, "-o,--output", output, "FILE", "where to");
-        declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long; else what the scene says");
+        declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S",
+                       "until when, from the scene's start; else what the scene says");
         declare_whole(parser, "--threads", threads, {1, 1024}, "N", "how many work on a step; else one for each core");
         declare_text(parser, "--pointer", pointer_path, "FILE", "plays a pointer's path: time, x, y, button a line");
     }
@@ -67,6 +68,7 @@ class RecordCommand final : public Command {
         run.witness = std::make_shared<RecordingWitness>(output, run.session, opened.from);
         const auto& scene = run.session.scene();
         const auto begun = run.steps(), last = steps_until(scene, seconds.value_or(scene.seconds));
+        if (seconds) run.expect_ahead("--seconds", *seconds);
         canvas::Progress progress(title_of(words.scene), std::size_t(last));
         run.advance(last, progress);
         const auto size = std::filesystem::file_size(output);

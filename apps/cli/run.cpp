@@ -139,8 +139,8 @@ class RunCommand final : public Command {
                 ".csv, otherwise as a JSON object a line. With --trace - the rows go to standard output, and\n"
                 "what run has to tell to standard error.\n"
                 "\n"
-                "With --save the running scene is written to a file, and `sinew run FILE` goes on from there: on any\n"
-                "machine, every later hash is that of the run that never stopped.\n"
+                "With --save the running scene is written to a file, and `sinew run FILE` goes on from there, to\n"
+                "the same second: on any machine, every later hash is that of the run that never stopped.\n"
                 "\n"
                 "A pointer file has a line TIME, X, Y, BUTTON for each turn of a pointer's path, in the\n"
                 "scene's units (in 3D X and Y are pixels of its picture). The pointer goes straight from one\n"
@@ -157,18 +157,22 @@ class RunCommand final : public Command {
 
     void declare(CLI::App& parser) override {
         declare_scene(parser, words);
-        declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S", "how long; else what the scene says");
+        declare_number(parser, "-s,--seconds", seconds, possible_seconds, "S",
+                       "until when, from the scene's start; else what the scene says");
         declare_whole(parser, "--threads", threads, {1, 1024}, "N", "how many work on a step; else one for each core");
         declare_flag(parser, "--json", as_json, "ends with one line of JSON");
         declare_text(parser, "--trace", trace_path, "FILE", "writes positions and velocities, frame by frame");
         declare_whole(parser, "--every", every, {1, 1e9}, "N", "of a trace: each Nth step only");
         declare_text(parser, "--of", names, "A,B", "of a trace: these particles and figures; else all");
         declare_text(parser, "--save", save_path, "FILE", "saves the running scene, to go on from: sinew run FILE");
-        declare_number(parser, "--at", save_at, possible_seconds, "S", "of --save: when; else at the end");
+        declare_number(parser, "--at", save_at, possible_seconds, "S",
+                       "of --save: when, from the scene's start; else at the end");
         declare_text(parser, "--pointer", pointer_path, "FILE", "plays a pointer's path: time, x, y, button a line");
     }
 
     int run() override {
+        if (save_at && save_path.empty()) usage_error("--at is of --save", "--save FILE saves the running scene");
+        if (save_path == "-") usage_error("a running scene is saved in a file, not in a pipe", "--save FILE");
         auto opened = open_session(words);
         Run run(std::move(opened.session), threads.value_or(0));
         if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
@@ -179,7 +183,8 @@ class RunCommand final : public Command {
         const auto phases = std::make_shared<PhaseTimes>();
         run.session.set_reports({.times = phases, .preparing = {}});
         const auto tracing = trace ? std::optional(Tracing{*trace, std::uint64_t(every.value_or(1))}) : std::nullopt;
-        if (save_at && save_path.empty()) usage_error("--at is of --save", "--save FILE saves the running scene");
+        if (seconds) run.expect_ahead("--seconds", *seconds);
+        if (save_at) run.expect_ahead("--at", *save_at);
         const auto last = steps_until(scene, seconds.value_or(save_at.value_or(scene.seconds)));
         const auto saved = save_at ? steps_until(scene, *save_at) : last;
         if (!save_path.empty() && saved > last) usage_error("--at is after the end", "--seconds S runs longer");

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
 
 namespace sinew::cli {
 namespace {
@@ -45,6 +46,14 @@ Run::Run(Session begun, int threads) : session(std::move(begun)) {
     session.set_reports({.times = {}, .preparing = [&](double share) { progress.update(std::size_t(100 * share)); }});
     session.prepare();
     session.set_reports({});
+}
+
+void Run::expect_ahead(std::string_view option, double seconds) const {
+    if (taken <= steps_until(session.scene(), seconds)) return;
+    const double now = session.seconds();
+    usage_error(fmt::format("{} {:.6g} has passed: the scene stands at {:.6g} s", option, seconds, now),
+                fmt::format("seconds count from the scene's start; {} {:.6g} goes on for {:.6g} s", option,
+                            now + seconds, seconds));
 }
 
 void Run::step() {

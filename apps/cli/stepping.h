@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 namespace sinew::cli {
@@ -39,6 +40,8 @@ class Run {
     void advance(std::uint64_t steps, canvas::Progress& progress, std::uint64_t others = 0);
 
     std::uint64_t steps() const { return taken; }
+    /// Throws CommandError if the time that an option asks for, in seconds since the scene's start, has passed already.
+    void expect_ahead(std::string_view option, double seconds) const;
 
     Session session;
     std::optional<PointerPath> pointer; ///< drives the session's pointer

@@ -53,6 +53,23 @@ TEST(SavedRun, GoesOnAsIfItHadNeverStopped) {
     EXPECT_EQ(hash_of({"run", twice, "--seconds", "2"}), whole);
 }
 
+/// A time that has passed: what would be saved or shown is of another.
+TEST(SavedRun, DoesNotGoBackInTime) {
+    const auto path = scratch("passed.sinew"), other = scratch("passed_other.sinew");
+    std::filesystem::remove(other);
+    ASSERT_EQ(sinew({"run", ragdoll(), "--save", path, "--at", "0.7"}).code, 0);
+    for (const Arguments& arguments : {Arguments{"run", path, "--save", other, "--at", "0.5"},
+                                       {"run", path, "--seconds", "0.5"},
+                                       {"record", path, "-o", other, "--seconds", "0.5"}}) {
+        const auto outcome = sinew(arguments);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_TRUE(has(outcome.err, "0.5 has passed: the scene stands at 0.7 s")) << outcome.err;
+        EXPECT_TRUE(has(outcome.err, " 1.2 goes on for 0.5 s")) << outcome.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(other));
+    EXPECT_EQ(sinew({"run", path, "--seconds", "0.7"}).code, 0) << "now is no time that has passed";
+}
+
 TEST(SavedRun, ThatIsDamagedIsRefusedWithThePlace) {
     const auto path = scratch("damaged.sinew");
     ASSERT_EQ(sinew({"run", ragdoll(), "--save", path, "--at", "0.5"}).code, 0);
