@@ -98,11 +98,16 @@ void sweep(const fs::path& folder) {
 
 } // namespace
 
-Failure PartialFile::create(const fs::path& wanted, std::string_view scratch) {
-    target = behind_links(wanted);
+Failure prepare_folder_of(const fs::path& target) {
     if (auto failure = check_replaceable(target)) return failure;
     if (auto failure = create_folder(folder_of(target))) return failure;
     sweep(folder_of(target));
+    return {};
+}
+
+Failure PartialFile::create(const fs::path& wanted, std::string_view scratch) {
+    target = behind_links(wanted);
+    if (auto failure = prepare_folder_of(target)) return failure;
     const fs::path name = partial_name(target, scratch);
     const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0) return "the folder " + folder_of(target).string() + " takes no file: " + std::strerror(errno);

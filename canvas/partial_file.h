@@ -10,7 +10,7 @@ namespace sinew::canvas {
 
 /// A file with the final name only when complete. The content is written to `.name.partial-PID.ext` beside the target,
 /// because a rename needs one file system, and removed unless committed. A killed process leaves partial files behind;
-/// the next PartialFile created in the folder removes them.
+/// the next one to write in the folder removes them.
 class PartialFile {
   public:
     PartialFile() = default;
@@ -35,6 +35,10 @@ class PartialFile {
     std::filesystem::path target, partial;
     int held = -1; ///< descriptor that locks the partial file while the process lives
 };
+
+/// Makes missing folders of a file that is written in place, and removes partial files of killed processes there.
+/// Failures are bare reasons, of a file that cannot be replaced, too.
+[[nodiscard]] Failure prepare_folder_of(const std::filesystem::path& target);
 
 /// Reason of a failed write, for a reader who knows the file only as `called`: a full disk is reported by the system's
 /// message alone, and names of partial files are replaced.

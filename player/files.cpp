@@ -38,19 +38,21 @@ canvas::Failure write_file(const fs::path& path, const std::string& text) {
 
 std::function<canvas::Failure(std::span<const std::byte>)> append_to(const fs::path& path) {
     const auto name = path.string();
-    const auto explained = [name](int reason) {
-        return canvas::Failure("cannot write " + name + ": " + std::strerror(reason));
+    const auto refused = [name](const std::string& reason) {
+        return [failure = canvas::Failure("cannot write " + name + ": " + reason)](std::span<const std::byte>) {
+            return failure;
+        };
     };
-    std::error_code told_by_opening;
-    if (path.has_parent_path()) fs::create_directories(path.parent_path(), told_by_opening);
+    if (const auto failure = canvas::prepare_folder_of(path)) return refused(*failure);
     const std::shared_ptr<std::FILE> file(std::fopen(name.c_str(), "wb"), [](std::FILE* held) {
         if (held) std::fclose(held);
     });
-    if (!file) return [failure = explained(errno)](std::span<const std::byte>) { return failure; };
-    return [file, explained](std::span<const std::byte> bytes) {
+    if (!file) return refused(std::strerror(errno));
+    return [file, refused](std::span<const std::byte> bytes) -> canvas::Failure {
         const bool is_written =
             std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() && std::fflush(file.get()) == 0;
-        return is_written ? std::nullopt : explained(errno);
+        if (is_written) return std::nullopt;
+        return refused(std::strerror(errno))(bytes);
     };
 }
 

@@ -61,14 +61,19 @@ class RecordCommand final : public Command {
 
     int run() override {
         if (output.empty()) usage_error("no file to record to", "-o FILE");
+        if (output == "-") usage_error("a recording grows in a file, not in a pipe", "-o FILE");
         auto opened = open_session(words);
+        std::error_code unknown;
+        const auto input = is_snapshot_file(words.scene) ? std::filesystem::path(words.scene) : scene_path(words.scene);
+        if (std::filesystem::equivalent(input, output, unknown))
+            refuse(output, "this is the file that is recorded", "-o with another name");
         Run run(std::move(opened.session), threads.value_or(0));
+        if (seconds) run.expect_ahead("--seconds", *seconds);
         if (!pointer_path.empty()) run.pointer = PointerPath::read(pointer_path);
         canvas::catch_interrupts();
         run.witness = std::make_shared<RecordingWitness>(output, run.session, opened.from);
         const auto& scene = run.session.scene();
         const auto begun = run.steps(), last = steps_until(scene, seconds.value_or(scene.seconds));
-        if (seconds) run.expect_ahead("--seconds", *seconds);
         canvas::Progress progress(title_of(words.scene), std::size_t(last));
         run.advance(last, progress);
         const auto size = std::filesystem::file_size(output);

@@ -110,6 +110,42 @@ TEST(Recordings, AreReplayedAndTellWhereTheyPart) {
     EXPECT_EQ(sinew({"record", ragdoll()}).code, 2) << "where to?";
 }
 
+TEST(Recordings, SpareWhatTheyAreMadeOfAndWhatIsNoFile) {
+    const auto path = scratch("own.sinew"), scene = scratch("own.json");
+    ASSERT_EQ(sinew({"run", ragdoll(), "--save", path, "--at", "0.2"}).code, 0);
+    std::filesystem::copy_file(ragdoll(), scene, std::filesystem::copy_options::overwrite_existing);
+    for (const auto& own : {path, scene}) {
+        const auto before = bytes_of(own);
+        const auto outcome = sinew({"record", own, "-o", own});
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_TRUE(has(outcome.err, own + ": error: this is the file that is recorded")) << outcome.err;
+        EXPECT_EQ(bytes_of(own), before);
+    }
+    const auto device = sinew({"record", ragdoll(), "-o", "/dev/null", "--seconds", "0.1"});
+    EXPECT_EQ(device.code, 1);
+    EXPECT_TRUE(has(device.err, "cannot write /dev/null: it is not a regular file")) << device.err;
+    const std::filesystem::path folder = scratch("pipes");
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directory(folder);
+    for (const Arguments& arguments :
+         {Arguments{"record", ragdoll(), "-o", "-"}, {"run", ragdoll(), "--seconds", "0.1", "--save", "-"}}) {
+        const auto outcome = sinew(arguments, {.folder = folder});
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_TRUE(has(outcome.err, "in a file, not in a pipe")) << outcome.err;
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+/// Process ids end at 2^22, so that nobody has this one.
+TEST(Recordings, SweepUpWhatKilledRunsHaveLeft) {
+    const std::filesystem::path folder = scratch("swept");
+    std::filesystem::create_directories(folder);
+    const auto left = folder / ".film.partial-999999999.mp4";
+    write(left.string(), "half a film");
+    EXPECT_EQ(sinew({"record", ragdoll(), "-o", (folder / "run.rec").string(), "--seconds", "0.1"}).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(left));
+}
+
 TEST(WrittenFiles, GetTheFoldersOnTheirWay) {
     const std::filesystem::path folder = scratch("new_folder");
     const auto at = [&](const char* name) { return (folder / name / name).string(); };
@@ -173,8 +209,6 @@ TEST(Diff, TellsTheFirstStepAndField) {
     }
 }
 
-} // namespace
-} // namespace sinew::cli_test::SINEW_TEST_FILE
 /// Traces of which one lacks rows or columns.
 TEST(Diff, TellsWhichTraceLacksARowOrColumn) {
     const auto one = scratch("one.csv"), other = scratch("lacking.csv");
@@ -205,3 +239,5 @@ TEST(Diff, TellsWhichTraceLacksARowOrColumn) {
     EXPECT_EQ(sinew({"diff", lines, lines}).code, 0);
 }
 
+} // namespace
+} // namespace sinew::cli_test::SINEW_TEST_FILE
