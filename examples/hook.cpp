@@ -1,6 +1,6 @@
 // A grappling hook in C++ with SDL2: the mouse aims, its left button holds, the wheel shortens the rope, A and D walk.
 //   c++ hook.cpp -o hook $(pkg-config --cflags --libs sinew sdl2)
-// hook FRAMES FILE.bmp plays by itself and keeps the last picture (SDL_VIDEODRIVER=dummy: without a screen).
+// hook FRAMES FILE.bmp plays by itself, a step a frame, and keeps the last picture (SDL_VIDEODRIVER=dummy: no screen).
 #include "sinew/sinew.h"
 #include "sinew/world/colliders.h"
 #include "sinew/world/query.h"
@@ -33,9 +33,8 @@ struct Input {
 struct Level {
     sinew::Simulation<2> simulation;
     sinew::World<2, double>& world = simulation.world;
-    sinew::ParticleId hero;
+    sinew::ParticleId hero, hook;
     std::optional<sinew::ConstraintId> rope;
-    Vec anchor{};
     double length = 0;
 
     Level() {
@@ -46,29 +45,29 @@ struct Level {
         hero = add_particle(world, sinew::ParticleSpec<2, double>{.position = {2, 3}, .mass = 60, .radius = 0.4});
     }
 
-    Vec place() const { return *position_of(world, hero); }
+    Vec place(sinew::ParticleId id) const { return *position_of(world, id); }
 
     // A pinned particle where the ray meets a wall, and a distance of at most the length to it.
     void shoot(const Vec& aim) {
-        const auto from = place(), way = direction(aim - from) * 15.0;
+        const auto from = place(hero), way = direction(aim - from) * 15.0;
         const auto hit = cast_ray(world, from + way * (0.5 / norm(way)), way, 0.0, {.layers = ~0U, .mask = 1});
         if (!hit || !hit->is_collider) return;
-        anchor = hit->point;
-        length = distance(from, anchor);
-        const auto hook = add_particle(world, sinew::ParticleSpec<2, double>{.position = anchor});
+        length = distance(from, hit->point);
+        hook = add_particle(world, sinew::ParticleSpec<2, double>{.position = hit->point});
         pin(world, hook);
         rope = sinew::add<sinew::Distance>(world, {hook, hero}, {.limits = sinew::at_most(length)});
     }
     void let_go() {
-        if (rope) remove_constraints(world, std::span(&*rope, 1));
+        if (rope) remove_particles(world, std::span(&hook, 1)); // and with it pin and rope
         rope.reset();
     }
 
+    void wind(double by) {
+        if (rope && by != 0) set_limits(world, *rope, sinew::at_most(length = std::max(1.0, length - by)));
+    }
     void step(const Input& input) {
         if (input.holds && !rope) shoot(input.aim);
         if (!input.holds) let_go();
-        if (rope && input.reel != 0)
-            set_limits(world, *rope, sinew::at_most(length = std::max(1.0, length - input.reel)));
         apply_force(world, hero, Vec{{input.walk * 400, 0}});
         simulation.step(1.0 / 60);
     }
@@ -87,9 +86,9 @@ void draw(SDL_Renderer* renderer, const Level& level) {
         const SDL_FRect box{corner.x, corner.y, float(size[0] * pixels), float(size[1] * pixels)};
         SDL_RenderFillRectF(renderer, &box);
     }
-    const auto hero = on_screen(level.place());
+    const auto hero = on_screen(level.place(level.hero));
     if (level.rope) {
-        const auto anchor = on_screen(level.anchor);
+        const auto anchor = on_screen(level.place(level.hook));
         SDL_SetRenderDrawColor(renderer, 160, 110, 60, 255);
         SDL_RenderDrawLineF(renderer, hero.x, hero.y, anchor.x, anchor.y);
     }
@@ -125,23 +124,26 @@ int main(int count, char** words) {
     const int frames = count > 1 ? SDL_atoi(words[1]) : 0;
     if (SDL_Init(SDL_INIT_VIDEO) != 0) return std::fprintf(stderr, "%s\n", SDL_GetError()), 1;
     auto* window = SDL_CreateWindow("hook", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height, 0);
-    auto* renderer =
-        SDL_CreateRenderer(window, -1, frames ? Uint32(SDL_RENDERER_SOFTWARE) : Uint32(SDL_RENDERER_PRESENTVSYNC));
+    auto* renderer = SDL_CreateRenderer(window, -1, frames ? SDL_RENDERER_SOFTWARE : SDL_RENDERER_PRESENTVSYNC);
     if (!renderer) return std::fprintf(stderr, "%s\n", SDL_GetError()), 1;
     Level level;
-    double highest = 0;
+    double highest = 0, due = 0; // steps of 1/60 s
+    auto last = SDL_GetTicks64();
     for (int frame = 0; !frames || frame < frames; ++frame) {
         const auto input = frames ? by_itself(frame) : from_player();
         if (input.quits) break;
-        level.step(input);
+        const auto now = SDL_GetTicks64();
+        due += frames ? 1 : std::min(0.06 * double(now - std::exchange(last, now)), 6.0); // no backlog after a pause
+        level.wind(input.reel);
+        for (; due >= 1; --due) level.step(input);
         draw(renderer, level);
-        highest = std::max(highest, level.place()[1]);
+        highest = std::max(highest, level.place(level.hero)[1]);
     }
     if (count > 2) {
         auto* picture = SDL_CreateRGBSurfaceWithFormat(0, width, height, 32, SDL_PIXELFORMAT_ARGB8888);
         SDL_RenderReadPixels(renderer, nullptr, SDL_PIXELFORMAT_ARGB8888, picture->pixels, picture->pitch);
         SDL_SaveBMP(picture, words[2]);
     }
-    std::printf("at (%.2f, %.2f), highest %.2f m\n", level.place()[0], level.place()[1], highest);
+    std::printf("highest %.2f m, %zu particles\n", highest, level.world.particles.size());
     SDL_Quit();
 }

@@ -1,6 +1,6 @@
 /* Ropes, a ragdoll and a ball in C11 with SDL2, without a scene file: a world built by calls, drawn by callbacks,
  * thrown about with the mouse. cc ropes.c -o ropes $(pkg-config --cflags --libs sinew-c sdl2) ropes FRAMES FILE.bmp
- * plays by itself and keeps the last picture (SDL_VIDEODRIVER=dummy: without a screen). */
+ * plays by itself, a step a frame, and keeps the last picture (SDL_VIDEODRIVER=dummy: without a screen). */
 #include <SDL.h>
 #include <math.h>
 #include <sinew.h>
@@ -110,8 +110,14 @@ int main(int count, char** words) {
     const sinew_world world = make_world();
     const sinew_debug_draw draw = {
         .struct_size = sizeof draw, .context = renderer, .segment = segment, .sphere = disc, .polygon = polygon};
+    double due = 0; /* steps of 1/60 s */
+    Uint64 last = SDL_GetTicks64();
     for (int frame = 0; (!frames || frame < frames) && play(world, frame, frames); ++frame) {
-        sinew_world_step(world, 1);
+        const Uint64 now = SDL_GetTicks64();
+        due += frames ? 1 : fmin(0.06 * (double)(now - last), 6); /* no backlog after a pause */
+        last = now;
+        sinew_world_step(world, (uint32_t)due);
+        due -= floor(due);
         color(renderer, 0xf5f3ee);
         SDL_RenderClear(renderer);
         sinew_world_draw_debug(world, &draw, 5);
