@@ -34,14 +34,23 @@ class Pool {
     /// Starts threads up to a total of `threads`, the caller's included.
     void start(int threads) {
         threads_.reserve(std::size_t(threads - 1));
-        while (int(threads_.size()) < threads - 1) {
-            try {
-                threads_.emplace_back(
-                    [this, number = int(threads_.size()) + 1, seen = pool_.calls()] { pool_.serve(number, seen); });
-            } catch (const std::system_error&) {
-                return; // no more threads from the system
-            }
+        while (int(threads_.size()) < threads - 1 && start_one()) {
         }
+    }
+
+    /// False where the system has no more threads; compiled without exceptions, the program then ends.
+    bool start_one() {
+#ifdef __cpp_exceptions
+        try {
+#endif
+            threads_.emplace_back(
+                [this, number = int(threads_.size()) + 1, seen = pool_.calls()] { pool_.serve(number, seen); });
+            return true;
+#ifdef __cpp_exceptions
+        } catch (const std::system_error&) {
+            return false;
+        }
+#endif
     }
 };
 
