@@ -157,8 +157,14 @@ class PlayCommand final : public Command {
         const auto problem = play::run_script(script, game, [](double) { give_up_if_interrupted(); });
         if (!problem.empty()) refuse(script_path, problem);
         game.tell("end", {{"hash", game.hash()}});
-        if (!game.problem().empty()) throw CommandError{bad_input, game.problem()};
+        if (!game.problem().empty()) refuse_as_told(game.problem());
         return done;
+    }
+
+    /// Diagnostics of files are whole lines already; other problems are sentences.
+    static void refuse_as_told(const std::string& problem) {
+        if (problem.ends_with('\n')) throw CommandError{bad_input, problem};
+        refuse("sinew play", problem);
     }
 
 #ifdef SINEW_WINDOW

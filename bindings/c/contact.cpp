@@ -85,6 +85,7 @@ template <class WorldT, class Visit> void each_contact(const WorldT& world, Visi
 extern "C" {
 
 sinew_status sinew_world_list_contacts(sinew_world simulation, uint32_t on) {
+    if (on > 1) return fail(SINEW_BAD_ARGUMENT, "`on` is 0 or 1");
     return change(simulation, [&](Session& session) {
         std::visit([&](auto& world) { world.contacts.lists_figures = world.contacts.lists_planes = on != 0; },
                    session.world());

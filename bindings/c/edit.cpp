@@ -122,7 +122,7 @@ sinew_status sinew_world_add_constraint(sinew_world simulation, uint32_t kind, c
         const auto added = add_constraint(world, int(kind), members, spec_of<Real>(spec));
         if (!added)
             return fail(SINEW_BAD_ID,
-                        "a particle is gone or named twice, or a limit of an angle in 3 dimensions is negative");
+                        "a particle is gone or named twice, or limits are negative of a measure that never is");
         *constraint = number_of(*added);
         return SINEW_OK;
     });
@@ -142,7 +142,9 @@ sinew_status sinew_world_set_limits(sinew_world simulation, sinew_constraint con
     if (!(low <= high)) return fail(SINEW_BAD_ARGUMENT, "low is above high, or not a number");
     return in_constraint(simulation, constraint, [&]<int D, class Real>(World<D, Real>& world, const ConstraintId& id) {
         if (set_limits(world, id, between(Real(low), Real(high)))) return SINEW_OK;
-        return fail(SINEW_BAD_ARGUMENT, "an angle in 3 dimensions has no sign: limits from 0 to pi");
+        const bool is_angle = D == 3 && id.kind == kind_number<Angle, D>;
+        return fail(SINEW_BAD_ARGUMENT, is_angle ? "an angle in 3 dimensions has no sign: limits from 0 to pi"
+                                                 : "a measure of this kind is never negative, and `high` is");
     });
 }
 

@@ -58,8 +58,10 @@ typedef struct sinew_level {
 #define SINEW_LEVEL(...)                                                                                               \
     SINEW_LEVEL_ENTRY const sinew_level* sinew_level_entry(void);                                                      \
     const sinew_level* sinew_level_entry(void) {                                                                       \
-        static const sinew_level level = {.struct_size = sizeof(sinew_level), .abi = SINEW_ABI, __VA_ARGS__};          \
-        return &level;                                                                                                 \
+        _Pragma("GCC diagnostic push")                                                                                 \
+            _Pragma("GCC diagnostic ignored \"-Wmissing-field-initializers\"") /* members left out are zero */         \
+            static const sinew_level level = {.struct_size = sizeof(sinew_level), .abi = SINEW_ABI, __VA_ARGS__};      \
+        _Pragma("GCC diagnostic pop") return &level;                                                                   \
     }
 
 #endif

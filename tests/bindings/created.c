@@ -68,9 +68,22 @@ static void the_text_knows_namesakes(void) {
     CHECK(sinew_world_close(world) == SINEW_OK);
 }
 
+/* Of lengths in the plane no angle in space is told. */
+static void limits_are_refused_with_their_reason(void) {
+    const sinew_world world = with_rope();
+    sinew_constraint link = 0;
+    CHECK(sinew_world_constraint_at(world, 0, 0, &link) == SINEW_OK);
+    CHECK(sinew_world_set_limits(world, link, -1, -1) == SINEW_BAD_ARGUMENT);
+    CHECK(strstr(sinew_message(), "never negative") != NULL && strstr(sinew_message(), "angle") == NULL);
+    CHECK(sinew_world_list_contacts(world, 7) == SINEW_BAD_ARGUMENT);
+    CHECK(sinew_world_list_contacts(world, 1) == SINEW_OK && sinew_world_list_contacts(world, 0) == SINEW_OK);
+    CHECK(sinew_world_close(world) == SINEW_OK);
+}
+
 int main(void) {
     the_picture_fits_the_figures();
     the_text_of_a_cut_world_is_a_scene();
     the_text_knows_namesakes();
+    limits_are_refused_with_their_reason();
     return failures == 0 ? 0 : 1;
 }

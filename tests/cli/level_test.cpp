@@ -280,6 +280,19 @@ TEST(Level, SavingSaysWhatIsLeftOut) {
     EXPECT_EQ(sinew({"check", (folder / "mine.json").string()}).code, 0);
 }
 
+/// Members that a level leaves out are no warning, in C++ either.
+TEST(Level, CompilesWithoutWarnings) {
+    const ScratchFolder folder;
+    write(folder / "bare.cpp", R"(#include <sinew_level.h>
+static sinew_status build(sinew_world) { return SINEW_OK; }
+SINEW_LEVEL(.build = build)
+)");
+    write(folder / "script.txt", "0.1 end\n");
+    const auto outcome = sinew({"play", "bare.cpp", "--script", "script.txt"},
+                               {.environment = {{"CXXFLAGS", "-Wall -Wextra -Werror"}}, .folder = folder.path});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 TEST(Level, ExampleIsPlayed) {
     const ScratchFolder folder;
     const auto outcome = play(folder, sinew::test::source_dir() + "/examples/level.c",

@@ -74,6 +74,16 @@ TEST(Run, TellsWhatHappened) {
     EXPECT_TRUE(has(sinew({"run", "tearing"}).out, "2 impulse, 1 torn, 1 parted"));
 }
 
+/// A sentence of the player ends like every message.
+TEST(Play, EndsWithTheProblemAsALine) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "script.txt") << "0.1 save /dev/null/mine.json\n0.2 end\n";
+    const auto outcome = sinew({"play", "pendulum", "--script", folder / "script.txt"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_TRUE(begins(outcome.err, "sinew play: error: cannot write /dev/null/mine.json: ")) << outcome.err;
+    EXPECT_TRUE(ends(outcome.err, "\n"));
+}
+
 // A ball that lands: run tells it at the end, play when it happens.
 TEST(Play, TellsEventsAsRunDoes) {
     const ScratchFolder folder;
