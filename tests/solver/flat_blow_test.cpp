@@ -14,8 +14,8 @@ using namespace test;
 template <class World> struct FlatBlow : ::testing::Test {};
 TYPED_TEST_SUITE(FlatBlow, Everywhere, Names);
 
-/// A crate, or two upon each other, lands flat: it neither turns nor goes aside. `way`: as a share of the size.
-template <int D, class Real> double way_aside(std::uint64_t seed, std::string& told) {
+/// A crate, or two one after the other, lands flat. Largest way aside of a corner, as a share of the size.
+template <int D, class Real> double way_aside(std::uint64_t seed) {
     Dice dice(seed);
     Stepped<D, Real> world;
     world.settings.substeps = 2 << dice.below(5);
@@ -49,16 +49,12 @@ template <int D, class Real> double way_aside(std::uint64_t seed, std::string& t
         const auto now = places();
         for (std::size_t k = 0; k < now.size(); ++k) worst = std::max(worst, std::abs(now[k][0] - before[k][0]) / size);
     }
-    told = "count " + std::to_string(count) + " substeps " + std::to_string(world.settings.substeps) + " friction " +
-           std::to_string(friction) + " size " + std::to_string(size) + " height " + std::to_string(height);
     return worst;
 }
-TYPED_TEST(FlatBlow, GoesNotAside) {
-    for (int seed = 1; seed <= few_or_many(30, 1000); ++seed) {
-        std::string told;
-        const double way = way_aside<TypeParam::dimension, typename TypeParam::Real>(std::uint64_t(seed), told);
-        EXPECT_LT(way, 5e-3) << seed << ' ' << told;
-    }
+/// From a tenth to ten times the size, with any friction, from 2 substeps on.
+TYPED_TEST(FlatBlow, LeavesACrateWhereItFell) {
+    for (int seed = 1; seed <= few_or_many(20, 1000); ++seed)
+        EXPECT_LT((way_aside<TypeParam::dimension, typename TypeParam::Real>(std::uint64_t(seed))), 5e-3) << seed;
 }
 
 } // namespace
