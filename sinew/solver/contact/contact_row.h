@@ -108,11 +108,8 @@ template <int D, class Real> struct IslandRow {
     Vec<D, Real> change{}, direction{};
 };
 
-/// Masses of the bodies of an island, kg; and whether a blow meets one of them.
-template <class Real> struct IslandMasses {
-    Real lightest = std::numeric_limits<Real>::max(), heaviest = 0;
-    bool is_struck = false;
-};
+/// Masses of the bodies of an island, kg.
+template <class Real> struct IslandMasses { Real lightest = std::numeric_limits<Real>::max(), heaviest = 0; };
 
 /// Row of a blow. Displacements are those along the normal in a substep.
 template <class Real> struct ReboundRow {

@@ -38,7 +38,7 @@ template <int D, class Real> class FigureContact {
         const Real scale = scale_kept();
         list_candidates();
         room().parts.run_all(threads_, [&](Part& part) { build_rows(world_, solver_, part, h_, from_, to_); });
-        RowIslands<D, Real>(room(), state_).find(square(h_) * norm(state_.gravity));
+        RowIslands<D, Real>(room(), state_).find();
         room().projector.begin(state_, drag_changes_, is_last_, threads_);
         WarmStart<D, Real> warm_start(room(), state_);
         warm_start.note();

@@ -8,8 +8,7 @@
 
 /// Rows of contact between bodies of unlike masses: one pass would move a light body under a heavy one to and fro
 /// between it and the floor, and each time take from the heavy one a share of its speed as small as the ratio of the
-/// masses. And rows of a blow on a rigid body: one pass would turn a crate that lands flat about the corner it solves
-/// first, and rub it aside. The rows of such an island of bodies are solved together until they agree (settle_rows.h).
+/// masses. The rows of such an island of bodies are solved together until they agree (settle_rows.h).
 namespace sinew::detail {
 
 template <int D, class Real> class RowIslands {
@@ -20,20 +19,18 @@ template <int D, class Real> class RowIslands {
 
     RowIslands(ContactRoom<D, Real>& room, const SweepState<D, Real>& state) : room_(room), state_(state) {}
 
-    /// Lists the rows of uneven and of struck islands, and those held, once they are made, and marks the former.
-    /// `resting`: displacement by the forces in a substep.
-    void find(Real resting) {
+    /// Lists the rows of uneven islands and those held, once they are made, and marks the former.
+    void find() {
         find_held();
         auto& rows = room_.island_rows;
         rows.clear();
-        if (!(room_.projector.unevenness() > uneven) && !any_blow(resting)) return;
+        if (!(room_.projector.unevenness() > uneven)) return;
         join_bodies();
         weigh_islands();
-        find_struck(resting);
         for (std::uint32_t i = 0; i < contact_parts; ++i) {
             auto& part = room_.parts.list[i];
             for (std::uint32_t k = 0; k < part.rows.size(); ++k)
-                if (const auto island = island_of(part.rows[k]); island != none && is_repeated(island)) {
+                if (const auto island = island_of(part.rows[k]); island != none && unevenness(island) > uneven) {
                     part.rows[k].is_repeated = true;
                     rows.push_back({.island = island, .part = i, .row = k});
                 }
@@ -48,15 +45,13 @@ template <int D, class Real> class RowIslands {
         for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
             while (last < all.size() && all[last].island == all[first].island) ++last;
             const Real load = unevenness(all[first].island);
-            const Real passes = room_.islands[all[first].island].is_struck ? max(load, passes_of_blow) : load;
-            solve(solver, all.subspan(first, last - first), passes, soften(load), acts);
+            solve(solver, all.subspan(first, last - first), load, soften(load), acts);
         }
     }
 
   private:
     using Listed = IslandRow<D, Real>;
-    static constexpr Real uneven = 2;          ///< ratio of masses that one pass a substep copes with
-    static constexpr Real passes_of_blow = 16; ///< as of an island so uneven
+    static constexpr Real uneven = 2; ///< ratio of masses that one pass a substep copes with
     static constexpr std::uint32_t none = ~std::uint32_t(0);
     ContactRoom<D, Real>& room_;
     const SweepState<D, Real>& state_;
@@ -106,27 +101,6 @@ template <int D, class Real> class RowIslands {
             const Real mass = room_.projector.mass_of_body(other);
             island.lightest = min(island.lightest, mass), island.heaviest = max(island.heaviest, mass);
         });
-    }
-    /// Calls visit(row) for the rows of rigid bodies that strike in this substep, or in the next one, which velocities
-    /// are ready for; until one answers false. An approach much faster than the forces add in a substep is a blow.
-    template <class Visit> bool each_blow(Real resting, const Visit& visit) {
-        for (const auto& part : room_.parts.list)
-            for (std::size_t k = 0; k < part.rows.size(); ++k) {
-                const auto& row = part.rows[k];
-                const Real approach = part.origins[k].approach;
-                if (!row.acts_on_clusters || !(approach > max(Real(4) * resting, Real(0.5) * row.gap))) continue;
-                if (body_of(row) != none && !visit(row)) return false;
-            }
-        return true;
-    }
-    bool any_blow(Real resting) {
-        return !each_blow(resting, [](const RowT&) { return false; });
-    }
-    void find_struck(Real resting) {
-        each_blow(resting, [&](const RowT& row) { return room_.islands[island_of(row)].is_struck = true; });
-    }
-    bool is_repeated(std::uint32_t island) const {
-        return room_.islands[island].is_struck || unevenness(island) > uneven;
     }
     Real unevenness(std::uint32_t island) const {
         const auto& one = room_.islands[island];
