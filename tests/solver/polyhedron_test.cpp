@@ -1,4 +1,3 @@
-#include "sinew/collide/shape.h"
 #include "sinew/prefab/prefabs.h"
 #include "sinew/world/colliders.h"
 
@@ -267,51 +266,6 @@ TYPED_TEST(Polyhedron, ACrateRestsOnAPost) {
                 run(world, (post == 1 ? 3 : 0.6) * std::sqrt(size)); // round posts are no lasting support
                 EXPECT_NEAR(middle_of(world, figure)[1], top + size * (0.5 + dot / 2), 3e-3 * size)
                     << "size " << size << " dot " << dot << " post " << post;
-            }
-}
-
-/// Four steep peaks, a quarter of the way from the middle, over flat ground: a landscape, or a mesh.
-template <class Real> collide::Shape<3, Real> peaks(double size, bool is_mesh) {
-    constexpr std::uint32_t lines = 13;
-    const double cell = size / 4, high = 0.6 * size;
-    const auto is_peak = [](std::uint32_t line) { return line == 5 || line == 7; };
-    collide::HeightField<3, Real> field{.columns = lines, .spacing = Real(cell), .height = {}};
-    for (std::uint32_t row = 0; row < lines; ++row)
-        for (std::uint32_t column = 0; column < lines; ++column)
-            field.height.push_back(is_peak(row) && is_peak(column) ? Real(high) : Real(0));
-    if (!is_mesh) return field;
-    std::vector<Vec3<Real>> corners;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    const auto number = [](std::uint32_t column, std::uint32_t row) { return row * lines + column; };
-    for (std::uint32_t row = 0; row < lines; ++row)
-        for (std::uint32_t column = 0; column < lines; ++column) corners.push_back(field.corner(column, row));
-    for (std::uint32_t row = 0; row + 1 < lines; ++row)
-        for (std::uint32_t column = 0; column + 1 < lines; ++column) {
-            const auto a = number(column, row), b = a + 1, c = a + lines, d = c + 1;
-            triangles.push_back({a, c, b}), triangles.push_back({b, c, d});
-        }
-    return collide::Mesh<3, Real>{std::move(corners), std::move(triangles)};
-}
-
-// A crate lies on peaks that end below its face.
-TYPED_TEST(Polyhedron, ACrateLiesOnPeaks) {
-    using Real = TypeParam;
-    for (const bool is_mesh : {false, true})
-        for (const double size : {0.1, 1.0, 20.0})
-            for (const double dot : {0.0, 0.05}) {
-                auto world = space<Real>(false);
-                sinew::test::fall(world, 9.81);
-                collide::Collider<3, Real> collider{.shape = peaks<Real>(size, is_mesh)};
-                collider.target.position = Vec3<Real>{{Real(-1.5 * size), 0, Real(-1.5 * size)}};
-                collider.friction = Real(0.5);
-                add_collider(world, collider);
-                const double rest = size * (1.1 + dot / 2);
-                const auto figure = put(world, crate(size, 2, dot * size), at<Vec3<Real>>(0, rest + 0.02 * size));
-                turn(world, figure, {0, 0.3, 0});
-                run(world, 4 * std::sqrt(size));
-                EXPECT_NEAR(middle_of(world, figure)[1], rest, 3e-3 * size)
-                    << "mesh " << is_mesh << " size " << size << " dot " << dot;
-                EXPECT_LT(fastest(world), 1e-2 * std::sqrt(size)) << size;
             }
 }
 

@@ -6,8 +6,8 @@
 
 namespace sinew::detail {
 
-/// Rows of contact of the faces of solids in space with colliders which end below a face, as a post or a peak of a
-/// landscape does. Edges and corners of the solid have rows of their own.
+/// Rows of contact of the faces of solids in space with colliders which end below a face, as a post does. Edges and
+/// corners of the solid have rows of their own.
 template <class Real> class SolidWallRows : WallRows<3, Real> {
     using Base = WallRows<3, Real>;
     using Base::add, Base::take, Base::rub, Base::id, Base::from_, Base::to_, Base::h_, Base::touches_;
@@ -45,30 +45,17 @@ template <class Real> class SolidWallRows : WallRows<3, Real> {
         const auto before = collider.pose_at(from_);
         for (const auto& face : polyhedra_.faces_of(solid)) {
             const auto along = before.turn_back(-polyhedra_.normal(face));
-            const Real reach = widest + Base::margin(lead) + share_below * Real(room_.polyhedra.half_width[number]);
-            const auto near = collide::to_local(before, box_around(face).grown(reach));
             std::visit(
                 [&](const auto& shape) {
-                    collide::each_extreme(
-                        shape, along, near, [&](const Vector& point, Real size, std::uint32_t corner) {
-                            add(solid, face, index,
-                                {point, size + radius, corner, Real(room_.polyhedra.half_width[number])});
-                        });
+                    collide::each_extreme(shape, along, [&](const Vector& point, Real size, std::uint32_t corner) {
+                        add(solid, face, index,
+                            {point, size + radius, corner, Real(room_.polyhedra.half_width[number])});
+                    });
                 },
                 collider.shape);
         }
     }
 
-    static constexpr Real share_below = Real(0.25); ///< depth at which peaks are seen, in half widths
-
-    collide::BoundingBox<3, Real> box_around(const Face& face) const {
-        collide::BoundingBox<3, Real> box;
-        for (const auto corner : face) {
-            const auto place = polyhedra_.place(corner);
-            box.include(place), box.include(place + state_.displacement_at(room_.particles[corner].slot));
-        }
-        return box;
-    }
     struct Point {
         Vector place{}; ///< in the frame of the collider
         Real radius = 0;
