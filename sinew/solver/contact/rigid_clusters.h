@@ -53,7 +53,7 @@ template <int D> class RigidClusters {
     }
     /// `none` outside of clusters.
     std::uint32_t cluster_of(std::uint32_t particle) const { return cluster_of_[particle]; }
-    /// Of a member.
+    /// Place of a member in its cluster.
     const Vector& rest_of(std::uint32_t particle) const { return members[member_of_[particle]].rest; }
 
   private:

@@ -56,8 +56,7 @@ template <int D, class Real> class BodyMotion {
         return taken;
     }
 
-    /// Takes energy from the motion about the centre, and from spins: the momentum stays. Returns how
-    /// much it took.
+    /// Takes energy from the motion about the centre, and from spins: the momentum stays. Returns how much it took.
     double slow_turn(double energy, bool rolls) {
         whole_ = moments(p_.position);
         const double there = 0.5 * whole_.square + (rolls ? energy_of_spins() : 0), taken = min(energy, there);
